@@ -1,0 +1,82 @@
+//! Raw pointers from C, checked and turned into what Rust works with.
+
+use crate::error::{Error, Result};
+use std::sync::Arc;
+
+/// # Safety
+/// `pointer` is NULL or points to a valid `T` that lives, unchanged, as long as the call.
+pub(super) unsafe fn borrowed<'a, T>(name: &'static str, pointer: *const T) -> Result<&'a T> {
+    // SAFETY: as promised by the caller.
+    unsafe { pointer.as_ref() }.ok_or(Error::text(name, "NULL", "a valid pointer"))
+}
+
+/// # Safety
+/// `pointer` is NULL or points to a valid `T` that nothing else uses during the call.
+pub(super) unsafe fn exclusive<'a, T>(name: &'static str, pointer: *mut T) -> Result<&'a mut T> {
+    // SAFETY: as promised by the caller.
+    unsafe { pointer.as_mut() }.ok_or(Error::text(name, "NULL", "a valid pointer"))
+}
+
+/// An array from C: NULL is fine for no elements.
+///
+/// # Safety
+/// `pointer` is NULL or points to `count` valid elements that live, unchanged, as long as the call.
+pub(super) unsafe fn array<'a, T>(
+    name: &'static str,
+    pointer: *const T,
+    count: usize,
+) -> Result<&'a [T]> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    if pointer.is_null() {
+        return Err(Error::text(
+            name,
+            "NULL",
+            "a valid pointer (or a count of 0)",
+        ));
+    }
+    if count > isize::MAX as usize / size_of::<T>().max(1) {
+        return Err(Error::number(
+            name,
+            count as f64,
+            "no more elements than memory can hold",
+        ));
+    }
+    // SAFETY: not NULL, no longer than an object can be; the rest as promised by the caller.
+    Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
+}
+
+/// Makes a new shared handle and writes it to `out`; on failure `out` (if not NULL) becomes NULL.
+///
+/// # Safety
+/// `out` is NULL or points to a writable pointer.
+pub(super) unsafe fn make_shared<T>(
+    name: &'static str,
+    out: *mut *mut T,
+    make: impl FnOnce() -> Result<T>,
+) -> Result<()> {
+    // SAFETY: as promised by the caller.
+    let out = unsafe { exclusive(name, out) }?;
+    *out = core::ptr::null_mut();
+    *out = Arc::into_raw(Arc::new(make()?)).cast_mut();
+    Ok(())
+}
+
+/// # Safety
+/// `handle` is NULL or came from [`make_shared`] and has not been released since.
+pub(super) unsafe fn retain<T>(handle: *const T) {
+    if !handle.is_null() {
+        // SAFETY: a live handle that Arc::into_raw gave.
+        unsafe { Arc::increment_strong_count(handle) };
+    }
+}
+
+/// # Safety
+/// `handle` is NULL or came from [`make_shared`] and has not been released since.
+pub(super) unsafe fn release<T>(handle: *const T) {
+    if !handle.is_null() {
+        // SAFETY: a live handle that Arc::into_raw gave.
+        unsafe { Arc::decrement_strong_count(handle) };
+    }
+}

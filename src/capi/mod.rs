@@ -1,0 +1,31 @@
+//! The C face: handles, argument checks, the panic guard, error texts. No maths.
+//!
+//! `include/striae.h` is generated from this folder; what its functions say is written here.
+
+#![allow(
+    unsafe_code,
+    reason = "C callers pass raw pointers; every block says what makes it sound"
+)]
+#![allow(
+    clippy::doc_markdown,
+    reason = "the documentation here is Doxygen's, in the C header"
+)]
+#![allow(
+    clippy::missing_safety_doc,
+    reason = "each function's documentation is the C header's: what pointers must be is said there"
+)]
+
+mod cross_section;
+mod handle;
+mod material;
+mod pattern;
+mod shading;
+mod status;
+mod tool;
+
+pub use cross_section::*;
+pub use material::*;
+pub use pattern::*;
+pub use shading::*;
+pub use status::*;
+pub use tool::*;

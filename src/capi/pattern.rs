@@ -1,0 +1,238 @@
+//! Patterns for C.
+
+use super::cross_section::depth_law;
+use super::handle::{array, borrowed, exclusive, make_shared, release, retain};
+use super::material::StriaeMaterial;
+use super::status::{StriaeStatus, check_struct_size, guard};
+use super::tool::StriaeTool;
+use crate::error::{Error, Result};
+use crate::formation::Orientation;
+use crate::pattern::{Key, Path, Pattern, PatternBuilder, Scratch};
+
+/// Kinds of path.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub enum StriaeCurve {
+    /// Straight lines from point to point, two points or more.
+    Polyline = 0,
+    /// Cubic Bezier curves, each starting where the last ends: 3 n + 1 points.
+    CubicBezier = 1,
+}
+
+/// Force and orientation at one place along a scratch.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct StriaeKey {
+    /// Share of the path's arc length, 0 to 1, not below the key before.
+    pub at: f64,
+    /// Normal force, kgf, 0 to 100000.
+    pub force_kgf: f64,
+    /// Spin about the tool's own axis, counter-clockwise from above, degrees.
+    pub spin_deg: f64,
+    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+    pub tilt_deg: f64,
+    /// Where the axis leans to, relative to the travel: 0 = forward, 90 = left, degrees.
+    pub azimuth_deg: f64,
+}
+
+/// One scratch: a tool drawn along a path. Set struct_size to sizeof(StriaeScratch).
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct StriaeScratch {
+    /// sizeof(StriaeScratch)
+    pub struct_size: usize,
+    /// The tool.
+    pub tool: *const StriaeTool,
+    /// Another hardness and finish than the surface's for this scratch; NULL for the surface's own.
+    pub material: *const StriaeMaterial,
+    /// A StriaeCurve.
+    pub curve: u32,
+    /// A StriaeDepthLaw.
+    pub depth_law: u32,
+    /// The path's points in texture space, (u, v) each.
+    pub points_uv: *const [f64; 2],
+    /// How many points.
+    pub point_count: usize,
+    /// Force and orientation along the path, ascending in `at`: linear in arc length between keys, constant
+    /// before the first and after the last.
+    pub keys: *const StriaeKey,
+    /// How many keys, 1 or more.
+    pub key_count: usize,
+}
+
+/// Scale of a pattern. Set struct_size to sizeof(StriaePatternOptions).
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct StriaePatternOptions {
+    /// sizeof(StriaePatternOptions)
+    pub struct_size: usize,
+    /// Millimetres in one scene unit, 1e-9 to 1e9.
+    pub mm_per_scene_unit: f64,
+    /// Scene units that one unit of u and of v spans, 1e-9 to 1e9 each. Arc length along paths is measured
+    /// with it, nothing else: while shading, dp_du and dp_dv count.
+    pub units_per_uv: [f64; 2],
+}
+
+/// Collects scratches. One thread at a time.
+#[derive(Debug)]
+pub struct StriaePatternBuilder(PatternBuilder);
+
+/// A surface with its scratches. Immutable; any thread may use it; reference-counted.
+#[derive(Debug)]
+pub struct StriaePattern(pub(super) Pattern);
+
+impl From<&StriaeKey> for Key {
+    fn from(key: &StriaeKey) -> Self {
+        let &StriaeKey {
+            at,
+            force_kgf,
+            spin_deg,
+            tilt_deg,
+            azimuth_deg,
+        } = key;
+        Self {
+            at,
+            force_kgf,
+            orientation: Orientation {
+                spin_deg,
+                tilt_deg,
+                azimuth_deg,
+            },
+        }
+    }
+}
+
+impl StriaeScratch {
+    /// # Safety
+    /// The pointers are NULL or valid for what they count.
+    unsafe fn add_to(&self, builder: &mut PatternBuilder) -> Result<()> {
+        check_struct_size(self.struct_size, size_of::<Self>(), "sizeof(StriaeScratch)")?;
+        // SAFETY: as promised by the caller.
+        let (tool, points, keys) = unsafe {
+            (
+                borrowed("tool", self.tool)?,
+                array("points_uv", self.points_uv, self.point_count)?,
+                array("keys", self.keys, self.key_count)?,
+            )
+        };
+        // SAFETY: as promised by the caller.
+        let material = unsafe { self.material.as_ref() };
+        let material = material.map(StriaeMaterial::checked).transpose()?;
+        let path = match self.curve {
+            0 => Path::Polyline(points),
+            1 => Path::CubicBezier(points),
+            other => {
+                return Err(Error::number(
+                    "curve",
+                    f64::from(other),
+                    "a StriaeCurve, 0 to 1",
+                ));
+            }
+        };
+        let keys: Vec<Key> = keys.iter().map(Key::from).collect();
+        builder.add(&Scratch {
+            tool: &tool.0,
+            material: material.as_ref(),
+            depth_law: depth_law(self.depth_law)?,
+            path,
+            keys: &keys,
+        })
+    }
+}
+
+/// Begins a pattern on an unscratched surface.
+///
+/// @param surface the surface's material
+/// @param options scale
+/// @param builder receives a builder to free with striae_pattern_builder_free(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_builder_new(
+    surface: *const StriaeMaterial,
+    options: *const StriaePatternOptions,
+    builder: *mut *mut StriaePatternBuilder,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: NULL or writable, as the header asks.
+        let out = unsafe { exclusive("builder", builder)? };
+        *out = core::ptr::null_mut();
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (surface, options) =
+            unsafe { (borrowed("surface", surface)?, borrowed("options", options)?) };
+        let accepted = "sizeof(StriaePatternOptions)";
+        check_struct_size(
+            options.struct_size,
+            size_of::<StriaePatternOptions>(),
+            accepted,
+        )?;
+        let made = PatternBuilder::new(
+            surface.checked()?,
+            options.mm_per_scene_unit,
+            options.units_per_uv,
+        )?;
+        *out = Box::into_raw(Box::new(StriaePatternBuilder(made)));
+        Ok(())
+    })
+}
+
+/// Adds a scratch. Everything is copied; if it is refused, the builder is as it was.
+///
+/// @param builder the builder
+/// @param scratch the scratch
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_builder_add_scratch(
+    builder: *mut StriaePatternBuilder,
+    scratch: *const StriaeScratch,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (builder, scratch) = unsafe {
+            (
+                exclusive("builder", builder)?,
+                borrowed("scratch", scratch)?,
+            )
+        };
+        // SAFETY: the scratch's pointers are NULL or valid, as the header asks.
+        unsafe { scratch.add_to(&mut builder.0) }
+    })
+}
+
+/// Builds the pattern of all scratches added so far. The builder stays usable.
+///
+/// @param builder the builder
+/// @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_builder_build(
+    builder: *const StriaePatternBuilder,
+    pattern: *mut *mut StriaePattern,
+) -> StriaeStatus {
+    let make = || {
+        // SAFETY: NULL or valid, as the header asks.
+        let builder = unsafe { borrowed("builder", builder)? };
+        Ok(StriaePattern(builder.0.build()))
+    };
+    // SAFETY: NULL or writable, as the header asks.
+    guard(|| unsafe { make_shared("pattern", pattern, make) })
+}
+
+/// Frees a builder. Patterns built with it live on. NULL is fine.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_builder_free(builder: *mut StriaePatternBuilder) {
+    if !builder.is_null() {
+        // SAFETY: a live builder that Box::into_raw gave, as the header asks.
+        drop(unsafe { Box::from_raw(builder) });
+    }
+}
+
+/// Adds a reference. NULL is fine.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_retain(pattern: *const StriaePattern) {
+    // SAFETY: NULL or a live handle, as the header asks.
+    unsafe { retain(pattern) }
+}
+
+/// Drops a reference; the last one frees the pattern. NULL is fine.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_release(pattern: *const StriaePattern) {
+    // SAFETY: NULL or a live handle, as the header asks.
+    unsafe { release(pattern) }
+}

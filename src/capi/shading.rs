@@ -1,0 +1,266 @@
+//! Shading for C.
+
+use super::handle::{borrowed, exclusive};
+use super::pattern::StriaePattern;
+use super::status::{StriaeStatus, guard};
+use crate::error::{Error, Result};
+use crate::pattern::{Footprint, Frame, SurfacePoint};
+use crate::scattering::{Output, Shading};
+use glam::Vec3;
+
+/// What a pixel covers of the surface around a point.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub enum StriaeFootprint {
+    /// Nothing but the point itself.
+    Point = 0,
+    /// A square along x and y that reaches `radius` scene units from the point on each side.
+    Radius = 1,
+    /// The parallelogram centred on the point with edges `duv_dx` and `duv_dy`.
+    Differentials = 2,
+}
+
+/// Flag of striae_eval(): the BRDF alone, without the cosine between light and normal.
+pub const STRIAE_EVAL_BRDF_ONLY: u32 = 1;
+
+/// A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct StriaePoint {
+    /// Texture coordinates.
+    pub uv: [f64; 2],
+    /// Derivative of position by u, scene units.
+    pub dp_du: [f32; 3],
+    /// Derivative of position by v, scene units.
+    pub dp_dv: [f32; 3],
+    /// Surface normal, of any length above 0.
+    pub normal: [f32; 3],
+    /// A StriaeFootprint; fields that it does not name are ignored.
+    pub footprint: u32,
+    /// Scene units.
+    pub radius: f32,
+    /// Change of (u, v) by one pixel in x.
+    pub duv_dx: [f32; 2],
+    /// Change of (u, v) by one pixel in y.
+    pub duv_dy: [f32; 2],
+}
+
+/// A point's local frame in the renderer's: z is the unit normal, x is dp_du made orthogonal to it, y is z cross x.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct StriaeFrame {
+    /// Along dp_du.
+    pub x: [f32; 3],
+    /// z cross x.
+    pub y: [f32; 3],
+    /// The normal.
+    pub z: [f32; 3],
+}
+
+/// A point seen from one direction: plain data, 8 KiB, on the caller's stack. It need not be initialised, owns
+/// nothing, outlives its pattern, and may be copied and read by any thread. Write to none of it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct StriaeShading {
+    /// How much of what the pixel shows belongs to scratches, 0 to 1.
+    pub coverage: f32,
+    /// How many runs of scratch the footprint holds.
+    pub scratch_count: u32,
+    /// The library's own.
+    pub opaque: [u64; 1023],
+}
+
+const _: () = assert!(
+    size_of::<Shading>() <= size_of::<StriaeShading>()
+        && align_of::<Shading>() <= align_of::<StriaeShading>(),
+    "the C structure must hold a Shading"
+);
+
+impl StriaePoint {
+    fn surface_point(&self) -> (SurfacePoint, Result<()>) {
+        let (footprint, checked) = match self.footprint {
+            0 => (Footprint::Point, Ok(())),
+            1 => (Footprint::Radius(self.radius), Ok(())),
+            2 => {
+                let (duv_dx, duv_dy) = (self.duv_dx, self.duv_dy);
+                (Footprint::Differentials { duv_dx, duv_dy }, Ok(()))
+            }
+            other => {
+                let accepted = "a StriaeFootprint, 0 to 2";
+                (
+                    Footprint::Point,
+                    Err(Error::number("footprint", f64::from(other), accepted)),
+                )
+            }
+        };
+        let &Self {
+            uv,
+            dp_du,
+            dp_dv,
+            normal,
+            ..
+        } = self;
+        (
+            SurfacePoint {
+                uv,
+                dp_du,
+                dp_dv,
+                normal,
+                footprint,
+            },
+            checked,
+        )
+    }
+}
+
+impl From<&StriaeFrame> for Frame {
+    fn from(frame: &StriaeFrame) -> Self {
+        Self {
+            x: Vec3::from(frame.x),
+            y: Vec3::from(frame.y),
+            z: Vec3::from(frame.z),
+        }
+    }
+}
+
+/// A point's local frame, in which `view` and `light` are given. Allocates nothing.
+///
+/// @param point its normal and dp_du count. Without a usable dp_du (zero, or along the normal) x is any tangent.
+/// @param frame is written on success only
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_frame(
+    point: *const StriaePoint,
+    frame: *mut StriaeFrame,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (point, frame) = unsafe { (borrowed("point", point)?, exclusive("frame", frame)?) };
+        let Frame { x, y, z } = Frame::at(&point.surface_point().0)?;
+        *frame = StriaeFrame {
+            x: x.to_array(),
+            y: y.to_array(),
+            z: z.to_array(),
+        };
+        Ok(())
+    })
+}
+
+/// Turns a vector of the renderer's frame into the local one. `world` and `local` may be the same.
+/// cbindgen:ptrs-as-arrays=[[world;3], [local;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_frame_to_local(
+    frame: *const StriaeFrame,
+    world: *const f32,
+    local: *mut f32,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks; `world` is copied before `local` is borrowed.
+        let (frame, world) = unsafe {
+            (
+                borrowed("frame", frame)?,
+                *borrowed("world", world.cast::<[f32; 3]>())?,
+            )
+        };
+        let turned = Frame::from(frame).to_local(Vec3::from(world));
+        // SAFETY: NULL or writable, as the header asks.
+        *unsafe { exclusive("local", local.cast::<[f32; 3]>())? } = turned.to_array();
+        Ok(())
+    })
+}
+
+/// Turns a vector of the local frame into the renderer's. `local` and `world` may be the same.
+/// cbindgen:ptrs-as-arrays=[[local;3], [world;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_frame_to_world(
+    frame: *const StriaeFrame,
+    local: *const f32,
+    world: *mut f32,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks; `local` is copied before `world` is borrowed.
+        let (frame, local) = unsafe {
+            (
+                borrowed("frame", frame)?,
+                *borrowed("local", local.cast::<[f32; 3]>())?,
+            )
+        };
+        let turned = Frame::from(frame).to_world(Vec3::from(local));
+        // SAFETY: NULL or writable, as the header asks.
+        *unsafe { exclusive("world", world.cast::<[f32; 3]>())? } = turned.to_array();
+        Ok(())
+    })
+}
+
+/// Prepares a point for one viewing direction: finds the scratches in its footprint and all that does not
+/// depend on the light. Never allocates, locks or blocks; any number of threads at once.
+///
+/// A point that is refused leaves a shading that can be used all the same, so that a render goes on: a view that
+/// is no direction reflects nothing; a bad normal, uv or derivative gives the unscratched surface; a
+/// footprint of zero, infinite or NaN size counts as a point. Only with a NULL argument is nothing written.
+/// A view below the surface is no error: it reflects nothing.
+///
+/// @param pattern the pattern
+/// @param point the point
+/// @param view direction to the viewer, away from the surface, in the local frame, of any length above 0
+/// @param shading receives the result; need not be initialised
+/// cbindgen:ptrs-as-arrays=[[view;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_shade(
+    pattern: *const StriaePattern,
+    point: *const StriaePoint,
+    view: *const f32,
+    shading: *mut StriaeShading,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks. A Shading is made of numbers for which all bits
+        // are valid, and fits into a StriaeShading (asserted above).
+        let (pattern, point, view, shading) = unsafe {
+            (
+                borrowed("pattern", pattern)?,
+                borrowed("point", point)?,
+                *borrowed("view", view.cast::<[f32; 3]>())?,
+                exclusive("shading", shading.cast::<Shading>())?,
+            )
+        };
+        let (surface_point, footprint) = point.surface_point();
+        shading.shade(&pattern.0, &surface_point, view)?;
+        footprint
+    })
+}
+
+/// Evaluates a prepared point for one light. Never allocates, locks or blocks; any number of threads at once.
+///
+/// @param shading filled in by striae_shade()
+/// @param light direction to the light, away from the surface, in the local frame, of any length above 0. From
+///     below the surface, or with no direction (NaN, zero), f is 0.
+/// @param flags 0 for BRDF times cosine, STRIAE_EVAL_BRDF_ONLY for the BRDF alone
+/// @param f receives linear RGB, never negative, never NaN
+/// cbindgen:ptrs-as-arrays=[[light;3], [f;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_eval(
+    shading: *const StriaeShading,
+    light: *const f32,
+    flags: u32,
+    f: *mut f32,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks; the shading was written by striae_shade().
+        let (shading, light, f) = unsafe {
+            (
+                borrowed("shading", shading.cast::<Shading>())?,
+                *borrowed("light", light.cast::<[f32; 3]>())?,
+                exclusive("f", f.cast::<[f32; 3]>())?,
+            )
+        };
+        let output = match flags {
+            0 => Output::BrdfCos,
+            STRIAE_EVAL_BRDF_ONLY => Output::Brdf,
+            other => {
+                let accepted = "0 or STRIAE_EVAL_BRDF_ONLY";
+                return Err(Error::number("flags", f64::from(other), accepted));
+            }
+        };
+        *f = shading.eval(light, output);
+        Ok(())
+    })
+}

@@ -1,0 +1,121 @@
+//! Tools for C.
+
+use super::handle::{make_shared, release, retain};
+use super::status::{StriaeStatus, guard};
+use crate::error::Error;
+use crate::formation::Tool;
+
+/// A scratching tool. Immutable; any thread may use it; reference-counted.
+#[derive(Debug)]
+pub struct StriaeTool(pub(super) Tool);
+
+/// Tools by name, sized as in the trade.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub enum StriaeToolPreset {
+    /// The diamond of scratch testers: a 120 degree cone with a 0.2 mm tip radius (ISO 6508-2).
+    RockwellC = 0,
+    /// A square pyramid, 136 degrees between opposite faces (ISO 6507-2). As it stands a face leads; spun by
+    /// 45 degrees an edge does.
+    Vickers = 1,
+    /// A wire nail's point: a cone of 50 degrees in all, blunted to 0.1 mm.
+    Nail = 2,
+    /// A slotted screwdriver: an edge 1 mm wide across the travel, faces 60 degrees apart.
+    Screwdriver = 3,
+}
+
+/// Makes a cone whose tip is rounded by a sphere.
+///
+/// @param half_angle_deg angle between flank and axis, 5 to 85
+/// @param tip_radius_mm 0 (sharp) to 100
+/// @param height_mm 1e-6 to 1000, and taller than the rounded tip; a scratch may not be deeper
+/// @param tool receives a handle to release with striae_tool_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_sphero_cone(
+    half_angle_deg: f64,
+    tip_radius_mm: f64,
+    height_mm: f64,
+    tool: *mut *mut StriaeTool,
+) -> StriaeStatus {
+    let make = || Tool::sphero_cone(half_angle_deg, tip_radius_mm, height_mm).map(StriaeTool);
+    // SAFETY: `tool` is NULL or writable, as the header asks.
+    guard(|| unsafe { make_shared("tool", tool, make) })
+}
+
+/// Makes a pyramid, corners at azimuths 360 degrees (i + 1/2) / sides from the right of travel, counter-clockwise.
+///
+/// @param sides 3 to 64
+/// @param angle_deg between opposite faces (each stands at half of it to the axis), 10 to 170
+/// @param height_mm 1e-6 to 1000
+/// @param tool receives a handle to release with striae_tool_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_pyramid(
+    sides: u32,
+    angle_deg: f64,
+    height_mm: f64,
+    tool: *mut *mut StriaeTool,
+) -> StriaeStatus {
+    let make = || Tool::pyramid(sides, angle_deg, height_mm).map(StriaeTool);
+    // SAFETY: `tool` is NULL or writable, as the header asks.
+    guard(|| unsafe { make_shared("tool", tool, make) })
+}
+
+/// Makes a wedge: a straight edge across the travel, two faces meeting in it, flat upright ends.
+///
+/// @param width_mm length of the edge, 1e-6 to 1000
+/// @param angle_deg between the faces, 1 to 170
+/// @param height_mm 1e-6 to 1000
+/// @param tool receives a handle to release with striae_tool_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_wedge(
+    width_mm: f64,
+    angle_deg: f64,
+    height_mm: f64,
+    tool: *mut *mut StriaeTool,
+) -> StriaeStatus {
+    let make = || Tool::wedge(width_mm, angle_deg, height_mm).map(StriaeTool);
+    // SAFETY: `tool` is NULL or writable, as the header asks.
+    guard(|| unsafe { make_shared("tool", tool, make) })
+}
+
+/// Makes a tool by name.
+///
+/// @param preset a StriaeToolPreset
+/// @param tool receives a handle to release with striae_tool_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_preset(
+    preset: u32,
+    tool: *mut *mut StriaeTool,
+) -> StriaeStatus {
+    const ALL: [fn() -> Tool; 4] = [
+        Tool::rockwell_c,
+        Tool::vickers,
+        Tool::nail,
+        Tool::screwdriver,
+    ];
+    let make = || {
+        let accepted = "a StriaeToolPreset, 0 to 3";
+        let known = ALL.get(preset as usize);
+        known.map(|make| StriaeTool(make())).ok_or(Error::number(
+            "preset",
+            f64::from(preset),
+            accepted,
+        ))
+    };
+    // SAFETY: `tool` is NULL or writable, as the header asks.
+    guard(|| unsafe { make_shared("tool", tool, make) })
+}
+
+/// Adds a reference. NULL is fine.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_retain(tool: *const StriaeTool) {
+    // SAFETY: NULL or a live handle, as the header asks.
+    unsafe { retain(tool) }
+}
+
+/// Drops a reference; the last one frees the tool. NULL is fine.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_release(tool: *const StriaeTool) {
+    // SAFETY: NULL or a live handle, as the header asks.
+    unsafe { release(tool) }
+}

@@ -1,0 +1,21 @@
+//! How a scratch is made: tool, orientation, force and hardness in; a cross-section in millimetres out.
+//!
+//! The tool's lower envelope along its travel is the groove's shape, a depth law says how deep it goes, and
+//! the material pushed out stands beside it in two peaks (Bosch et al. 2004, section 3).
+
+mod cross_section;
+mod facets;
+mod material;
+mod orientation;
+mod outline;
+mod penetration;
+mod pileup;
+mod tool;
+
+pub use cross_section::{CrossSection, Process};
+pub(crate) use facets::MOST_FACETS;
+pub use material::Material;
+pub use orientation::Orientation;
+pub use penetration::DepthLaw;
+pub use pileup::Peak;
+pub use tool::Tool;

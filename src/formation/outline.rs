@@ -1,0 +1,286 @@
+//! The lower envelope of an oriented tool, seen along its travel (the groove's shape before depth is known).
+
+use glam::DVec2;
+
+/// Chords an arc below the surface is drawn with; its area is exact all the same.
+const ARC_CHORDS: usize = 128;
+
+/// One piece of an outline, from left to right. Coordinates are (x right of travel, z up), mm.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Piece {
+    Line {
+        from: DVec2,
+        to: DVec2,
+    },
+    /// The lower part of a circle; a point at angle a is `center + radius (sin a, -cos a)`, its slope tan a.
+    Arc {
+        center: DVec2,
+        radius: f64,
+        from_rad: f64,
+        to_rad: f64,
+    },
+}
+
+/// Connected pieces from left to right. The tool's tip is at x = 0; the lowest point is at z = 0.
+#[derive(Clone, Debug)]
+pub(crate) struct Outline {
+    pieces: Vec<Piece>,
+}
+
+/// What of an outline lies below a level: the groove.
+#[derive(Clone, Debug)]
+pub(crate) struct Cut {
+    /// The groove from its left to its right edge, relative to the level (z <= 0), mm.
+    pub points: Vec<DVec2>,
+    /// Area below the level, mm².
+    pub area_mm2: f64,
+    /// Flank angles where the groove meets the level, left and right, radians in (0, pi/2].
+    pub flank_rad: [f64; 2],
+}
+
+impl Outline {
+    /// An outline from pieces in order, moved so that its lowest point lies at z = 0.
+    pub(crate) fn new(pieces: Vec<Piece>) -> Self {
+        let lowest = pieces
+            .iter()
+            .map(Piece::lowest)
+            .fold(f64::INFINITY, f64::min);
+        let pieces = pieces
+            .into_iter()
+            .map(|piece| piece.lowered(lowest))
+            .collect();
+        Self { pieces }
+    }
+
+    /// How deep the tool can go: the lower of its two ends, mm.
+    pub(crate) fn height_mm(&self) -> f64 {
+        match (self.pieces.first(), self.pieces.last()) {
+            (Some(first), Some(last)) => first.start().y.min(last.end().y),
+            _ => 0.0,
+        }
+    }
+
+    /// The groove that the tool leaves at a depth above 0 and below [`Self::height_mm`].
+    pub(crate) fn cut(&self, depth_mm: f64) -> Cut {
+        let mut cut = Cut {
+            points: Vec::new(),
+            area_mm2: 0.0,
+            flank_rad: [0.0; 2],
+        };
+        for below in self.pieces.iter().filter_map(|piece| piece.below(depth_mm)) {
+            if cut.points.is_empty() {
+                cut.flank_rad[0] = -below.slope_rad(0.0);
+            }
+            cut.flank_rad[1] = below.slope_rad(1.0);
+            cut.area_mm2 += below.area_below(depth_mm);
+            below.draw(&mut cut.points);
+        }
+        for point in &mut cut.points {
+            point.y -= depth_mm;
+        }
+        cut
+    }
+}
+
+impl Cut {
+    /// Width of the groove at the level, mm.
+    pub(crate) fn width_mm(&self) -> f64 {
+        match (self.points.first(), self.points.last()) {
+            (Some(first), Some(last)) => last.x - first.x,
+            _ => 0.0,
+        }
+    }
+}
+
+impl Piece {
+    fn on_arc(center: DVec2, radius: f64, angle_rad: f64) -> DVec2 {
+        let (sin, cos) = angle_rad.sin_cos();
+        center + radius * DVec2::new(sin, -cos)
+    }
+
+    fn start(&self) -> DVec2 {
+        match *self {
+            Self::Line { from, .. } => from,
+            Self::Arc {
+                center,
+                radius,
+                from_rad,
+                ..
+            } => Self::on_arc(center, radius, from_rad),
+        }
+    }
+
+    fn end(&self) -> DVec2 {
+        match *self {
+            Self::Line { to, .. } => to,
+            Self::Arc {
+                center,
+                radius,
+                to_rad,
+                ..
+            } => Self::on_arc(center, radius, to_rad),
+        }
+    }
+
+    fn lowest(&self) -> f64 {
+        match *self {
+            Self::Line { from, to } => from.y.min(to.y),
+            Self::Arc {
+                center,
+                radius,
+                from_rad,
+                to_rad,
+            } => Self::on_arc(center, radius, 0_f64.clamp(from_rad, to_rad)).y,
+        }
+    }
+
+    fn lowered(self, by: f64) -> Self {
+        let down = DVec2::new(0.0, by);
+        match self {
+            Self::Line { from, to } => Self::Line {
+                from: from - down,
+                to: to - down,
+            },
+            Self::Arc {
+                center,
+                radius,
+                from_rad,
+                to_rad,
+            } => Self::Arc {
+                center: center - down,
+                radius,
+                from_rad,
+                to_rad,
+            },
+        }
+    }
+
+    /// The part at or below z = level, if any. (A convex piece has one such part.)
+    fn below(&self, level: f64) -> Option<Self> {
+        match *self {
+            Self::Line { from, to } => {
+                if from.y.min(to.y) >= level {
+                    return None;
+                }
+                let cross = |a: DVec2, b: DVec2| a.lerp(b, (level - a.y) / (b.y - a.y));
+                Some(Self::Line {
+                    from: if from.y > level {
+                        cross(from, to)
+                    } else {
+                        from
+                    },
+                    to: if to.y > level { cross(to, from) } else { to },
+                })
+            }
+            Self::Arc {
+                center,
+                radius,
+                from_rad,
+                to_rad,
+            } => {
+                let half = ((center.y - level) / radius).clamp(-1.0, 1.0).acos();
+                let (from_rad, to_rad) = (from_rad.max(-half), to_rad.min(half));
+                (from_rad < to_rad).then_some(Self::Arc {
+                    center,
+                    radius,
+                    from_rad,
+                    to_rad,
+                })
+            }
+        }
+    }
+
+    /// Slope angle at the start (0) or end (1) of the piece.
+    fn slope_rad(&self, at: f64) -> f64 {
+        match *self {
+            Self::Line { from, to } => (to.y - from.y).atan2(to.x - from.x),
+            Self::Arc {
+                from_rad, to_rad, ..
+            } => from_rad + (to_rad - from_rad) * at,
+        }
+    }
+
+    /// Area between the piece and z = level, exact.
+    fn area_below(&self, level: f64) -> f64 {
+        let (start, end) = (self.start(), self.end());
+        let under_chord = (end.x - start.x) * (level - 0.5 * (start.y + end.y));
+        match *self {
+            Self::Line { .. } => under_chord,
+            Self::Arc {
+                radius,
+                from_rad,
+                to_rad,
+                ..
+            } => {
+                let turn = to_rad - from_rad;
+                under_chord + 0.5 * radius * radius * sine_defect(turn)
+            }
+        }
+    }
+
+    /// Appends the piece's points, without its start if that is the last point already there.
+    fn draw(&self, points: &mut Vec<DVec2>) {
+        let mut push = |point: DVec2| {
+            let known = points
+                .last()
+                .is_some_and(|last: &DVec2| last.abs_diff_eq(point, 1e-12));
+            if !known {
+                points.push(point);
+            }
+        };
+        match *self {
+            Self::Line { from, to } => [from, to].into_iter().for_each(push),
+            Self::Arc {
+                center,
+                radius,
+                from_rad,
+                to_rad,
+            } => {
+                for i in 0..=ARC_CHORDS {
+                    let angle = from_rad + (to_rad - from_rad) * i as f64 / ARC_CHORDS as f64;
+                    push(Self::on_arc(center, radius, angle));
+                }
+            }
+        }
+    }
+}
+
+/// a - sin a without cancellation for small a (the area of a thin circular segment).
+fn sine_defect(a: f64) -> f64 {
+    if a.abs() > 0.1 {
+        return a - a.sin();
+    }
+    let a2 = a * a;
+    a * a2 / 6.0 * (1.0 - a2 / 20.0 * (1.0 - a2 / 42.0 * (1.0 - a2 / 72.0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A half circle's groove has the area of its circular segment, also when very shallow.
+    #[test]
+    fn arc_area_is_exact() {
+        let radius = 0.2;
+        let outline = Outline::new(vec![Piece::Arc {
+            center: DVec2::ZERO,
+            radius,
+            from_rad: -1.5,
+            to_rad: 1.5,
+        }]);
+        for depth in [1e-8, 1e-4, 0.05] {
+            let half = (1.0 - depth / radius).acos();
+            let shallow = 4.0 / 3.0 * depth * (2.0 * radius * depth).sqrt();
+            let exact = if depth < 1e-5 {
+                shallow
+            } else {
+                radius * radius * (half - half.sin() * half.cos())
+            };
+            let area = outline.cut(depth).area_mm2;
+            assert!(
+                (area / exact - 1.0).abs() < 1e-6,
+                "{depth}: {area} against {exact}"
+            );
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! Scratching tools as analytic families, and the outline each leaves along its travel.
+//!
+//! Every tool stands with its tip at the origin and its axis along +z, lengths in mm.
+
+use super::orientation::Orientation;
+use super::outline::{Outline, Piece};
+use crate::error::{Error, Result, in_range};
+use core::f64::consts::{FRAC_PI_2, TAU};
+use glam::{DVec2, DVec3};
+
+/// A scratching tool.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tool {
+    shape: Shape,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Shape {
+    /// A cone whose tip is rounded by a sphere tangent to it.
+    SpheroCone {
+        half_angle_rad: f64,
+        tip_radius_mm: f64,
+        height_mm: f64,
+    },
+    /// The convex hull of these points.
+    Hull(Vec<DVec3>),
+}
+
+impl Tool {
+    /// A cone whose flank stands at `half_angle_deg` (5 to 85) to the axis, its tip rounded to
+    /// `tip_radius_mm` (0 to 100, 0 = sharp), `height_mm` tall (1e-6 to 1000).
+    pub fn sphero_cone(half_angle_deg: f64, tip_radius_mm: f64, height_mm: f64) -> Result<Self> {
+        let half_angle_rad = in_range("half_angle_deg", half_angle_deg, 5.0, 85.0)?.to_radians();
+        in_range("tip_radius_mm", tip_radius_mm, 0.0, 100.0)?;
+        check_height(height_mm)?;
+        let shape = Shape::SpheroCone {
+            half_angle_rad,
+            tip_radius_mm,
+            height_mm,
+        };
+        if height_mm <= tip_radius_mm * (1.0 - half_angle_rad.sin()) {
+            return Err(Error::number(
+                "height_mm",
+                height_mm,
+                "more than the height of the rounded tip, tip_radius_mm (1 - sin half_angle)",
+            ));
+        }
+        Ok(Self { shape })
+    }
+
+    /// A pyramid with `sides` faces (3 to 64), opposite faces `angle_deg` apart (10 to 170; each stands
+    /// at half of it to the axis), corners at azimuths 360° (i + 1/2) / sides from +x, `height_mm` tall.
+    pub fn pyramid(sides: u32, angle_deg: f64, height_mm: f64) -> Result<Self> {
+        in_range("sides", f64::from(sides), 3.0, 64.0)?;
+        in_range("angle_deg", angle_deg, 10.0, 170.0)?;
+        check_height(height_mm)?;
+        let step = TAU / f64::from(sides);
+        let corner_radius = height_mm * (0.5 * angle_deg.to_radians()).tan() / (0.5 * step).cos();
+        let corner = |i: u32| {
+            let (sin, cos) = (step * (f64::from(i) + 0.5)).sin_cos();
+            DVec3::new(corner_radius * cos, corner_radius * sin, height_mm)
+        };
+        let points = (0..sides).map(corner).chain([DVec3::ZERO]).collect();
+        Ok(Self {
+            shape: Shape::Hull(points),
+        })
+    }
+
+    /// A wedge: a straight edge `width_mm` long (1e-6 to 1000) along x, its two faces meeting at
+    /// `angle_deg` (1 to 170), its ends flat and parallel to the axis, `height_mm` tall.
+    pub fn wedge(width_mm: f64, angle_deg: f64, height_mm: f64) -> Result<Self> {
+        let half_width = 0.5 * in_range("width_mm", width_mm, 1e-6, 1000.0)?;
+        in_range("angle_deg", angle_deg, 1.0, 170.0)?;
+        check_height(height_mm)?;
+        let half_depth = height_mm * (0.5 * angle_deg.to_radians()).tan();
+        let end = |x: f64| {
+            [
+                DVec3::new(x, 0.0, 0.0),
+                DVec3::new(x, -half_depth, height_mm),
+                DVec3::new(x, half_depth, height_mm),
+            ]
+        };
+        let points = [end(-half_width), end(half_width)].concat();
+        Ok(Self {
+            shape: Shape::Hull(points),
+        })
+    }
+
+    /// The Rockwell C diamond of scratch testers: a 120° cone with a 0.2 mm tip radius (ISO 6508-2).
+    pub fn rockwell_c() -> Self {
+        Self::preset(Self::sphero_cone(60.0, 0.2, 3.0))
+    }
+
+    /// The Vickers diamond: a square pyramid, 136° between opposite faces (ISO 6507-2). As it stands a face
+    /// leads; spin it by 45° and an edge leads.
+    pub fn vickers() -> Self {
+        Self::preset(Self::pyramid(4, 136.0, 3.0))
+    }
+
+    /// A common wire nail: a point of about 50° in all, blunted to 0.1 mm.
+    pub fn nail() -> Self {
+        Self::preset(Self::sphero_cone(25.0, 0.1, 3.0))
+    }
+
+    /// A slotted screwdriver's corner-to-corner edge: 1 mm wide, faces 60° apart. Tilt it sideways and
+    /// one corner scratches.
+    pub fn screwdriver() -> Self {
+        Self::preset(Self::wedge(1.0, 60.0, 3.0))
+    }
+
+    fn preset(tool: Result<Self>) -> Self {
+        tool.expect("a preset's sizes lie in their ranges")
+    }
+
+    /// The lower envelope of the tool held so, on the plane across its travel.
+    pub(crate) fn outline(&self, orientation: Orientation) -> Result<Outline> {
+        match &self.shape {
+            &Shape::SpheroCone {
+                half_angle_rad,
+                tip_radius_mm,
+                height_mm,
+            } => {
+                let pieces = cone_pieces(half_angle_rad, tip_radius_mm, height_mm, orientation)?;
+                Ok(Outline::new(pieces.to_vec()))
+            }
+            Shape::Hull(points) => hull_outline(points, orientation),
+        }
+    }
+}
+
+fn check_height(height_mm: f64) -> Result<f64> {
+    in_range("height_mm", height_mm, 1e-6, 1000.0)
+}
+
+/// Left flank, tip, right flank. A plane that contains the travel and touches the cone has an outward
+/// normal n = (sin a, -cos a) with n · axis = -sin(half angle); the sphere touches it where the cone does.
+fn cone_pieces(
+    half_angle_rad: f64,
+    radius: f64,
+    height_mm: f64,
+    orientation: Orientation,
+) -> Result<[Piece; 3]> {
+    let axis = orientation.rotation() * DVec3::Z;
+    let seen = DVec2::new(axis.x, axis.z);
+    let spread = (half_angle_rad.sin() / seen.length()).min(1.0).acos();
+    let lean = seen.x.atan2(seen.y);
+    let flank_rad = [-lean - spread, -lean + spread];
+    if spread == 0.0 || flank_rad[0] >= 0.0 || flank_rad[1] <= 0.0 {
+        return Err(Error::number(
+            "tilt_deg",
+            orientation.tilt_deg,
+            "less than lays the cone's flank on the surface (90 - half_angle_deg)",
+        ));
+    }
+    // The tool turns about its tip, where the sphere's lowest point is.
+    let center = radius * seen;
+    let apex = center - seen * radius / half_angle_rad.sin();
+    let slant_mm = (height_mm + radius / half_angle_rad.sin() - radius) / half_angle_rad.cos();
+    // The generator along which a flank's plane touches the cone, seen along the travel.
+    let rim = |angle_rad: f64| {
+        let normal = DVec3::new(angle_rad.sin(), 0.0, -angle_rad.cos());
+        let outward = (normal + axis * half_angle_rad.sin()) / half_angle_rad.cos();
+        let generator = axis * half_angle_rad.cos() + outward * half_angle_rad.sin();
+        apex + slant_mm * DVec2::new(generator.x, generator.z)
+    };
+    let touch = |angle_rad: f64| center + radius * DVec2::new(angle_rad.sin(), -angle_rad.cos());
+    let [left, right] = flank_rad.map(|angle: f64| angle.clamp(-FRAC_PI_2, FRAC_PI_2));
+    Ok([
+        Piece::Line {
+            from: rim(left),
+            to: touch(left),
+        },
+        Piece::Arc {
+            center,
+            radius,
+            from_rad: left,
+            to_rad: right,
+        },
+        Piece::Line {
+            from: touch(right),
+            to: rim(right),
+        },
+    ])
+}
+
+/// The lower hull of the points seen along the travel. Where an end leans over its own foot, the wall stands
+/// upright there, up to the lowest point of the tool's upper rim.
+fn hull_outline(points: &[DVec3], orientation: Orientation) -> Result<Outline> {
+    let rotation = orientation.rotation();
+    let top_mm = points.iter().map(|point| point.z).fold(0.0, f64::max);
+    let rim = points.iter().filter(|point| point.z == top_mm);
+    let rim_z = rim
+        .map(|&point| (rotation * point).z)
+        .fold(f64::INFINITY, f64::min);
+    let seen = points.iter().map(|&point| rotation * point);
+    let mut hull = lower_hull(seen.map(|point| DVec2::new(point.x, point.z)).collect());
+    let lowest = hull
+        .iter()
+        .map(|point| point.y)
+        .fold(f64::INFINITY, f64::min);
+    if rim_z <= lowest {
+        return Err(Error::number(
+            "tilt_deg",
+            orientation.tilt_deg,
+            "less than brings the tool's upper rim down to the surface",
+        ));
+    }
+    let (first, last) = (hull[0], hull[hull.len() - 1]);
+    if first.y < rim_z {
+        hull.insert(0, DVec2::new(first.x, rim_z));
+    }
+    if last.y < rim_z {
+        hull.push(DVec2::new(last.x, rim_z));
+    }
+    let line = |pair: &[DVec2]| Piece::Line {
+        from: pair[0],
+        to: pair[1],
+    };
+    Ok(Outline::new(hull.windows(2).map(line).collect()))
+}
+
+/// The lower convex hull, left to right (Andrew 1979, monotone chain).
+fn lower_hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let turns_left =
+        |a: DVec2, b: DVec2, c: DVec2| (b - a).perp_dot(c - a) > 1e-12 * (b - a).length();
+    let mut hull: Vec<DVec2> = Vec::new();
+    let push = |hull: &mut Vec<DVec2>, point: DVec2| {
+        while hull.len() > 1 && !turns_left(hull[hull.len() - 2], hull[hull.len() - 1], point) {
+            hull.pop();
+        }
+        hull.push(point);
+    };
+    for &point in &points {
+        push(&mut hull, point);
+    }
+    hull
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An untilted cone's flanks stand at the complement of its half angle, joined by the tip's arc.
+    #[test]
+    fn upright_cone_is_symmetric() {
+        let cut = Tool::rockwell_c()
+            .outline(Orientation::default())
+            .unwrap()
+            .cut(0.1);
+        for flank in cut.flank_rad {
+            assert!((flank.to_degrees() - 30.0).abs() < 1e-9, "{flank}");
+        }
+        assert!(
+            (cut.points[0].x + cut.points.last().unwrap().x).abs() < 1e-12,
+            "not centred"
+        );
+    }
+
+    /// A wedge held straight cuts a box: upright ends, flat bottom, as wide as its edge.
+    #[test]
+    fn upright_wedge_cuts_a_box() {
+        let tool = Tool::wedge(0.5, 60.0, 3.0).unwrap();
+        let cut = tool.outline(Orientation::default()).unwrap().cut(0.01);
+        assert!((cut.width_mm() - 0.5).abs() < 1e-12, "{}", cut.width_mm());
+        assert!((cut.area_mm2 - 0.005).abs() < 1e-12, "{}", cut.area_mm2);
+        assert!(
+            (cut.flank_rad[0] - FRAC_PI_2).abs() < 1e-9,
+            "{:?}",
+            cut.flank_rad
+        );
+    }
+}

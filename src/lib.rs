@@ -1,0 +1,62 @@
+//! Physically based scratches for renderers.
+//!
+//! Data flows one way: [`formation`] makes cross-sections from tools, forces and materials; [`pattern`] runs
+//! them along curves in texture space and finds those a pixel sees; [`scattering`] turns what it sees into a
+//! BRDF. [`brdf`] holds the base BRDFs of single zones. `capi` is the C face of the same.
+//!
+//! After Bosch, Pueyo, Mérillou and Ghazanfarpour, "A Physically-Based Model for Rendering Realistic
+//! Scratches", Computer Graphics Forum 23(3), 2004.
+//!
+//! # Conventions
+//! Lengths in mm, forces in kgf (9.80665 N), Vickers hardness in kgf/mm², angles in degrees. At a shading
+//! point z is the unit normal, x is dP/du made orthogonal to it, y = z × x. `view` and `light` are unit
+//! vectors that point away from the surface. A scratch's cross-section axis points to the right of its
+//! travel. Double precision while building, single while shading.
+//!
+//! # Example
+//! ```
+//! use striae::brdf::Metal;
+//! use striae::formation::{Material, Tool};
+//! use striae::pattern::{Footprint, Key, Path, PatternBuilder, Scratch, SurfacePoint};
+//! use striae::scattering::{Output, Shading};
+//!
+//! let titanium = Material::metal(Metal::Titanium);
+//! let mut builder = PatternBuilder::new(titanium, 1.0, [100.0, 100.0])?;
+//! builder.add(&Scratch {
+//!     path: Path::Polyline(&[[0.1, 0.5], [0.9, 0.5]]),
+//!     keys: &[Key::force(0.0, 0.5), Key::force(1.0, 4.0)],
+//!     ..Scratch::new(&Tool::rockwell_c())
+//! })?;
+//! let pattern = builder.build();
+//!
+//! let point = SurfacePoint {
+//!     uv: [0.7, 0.5],
+//!     dp_du: [100.0, 0.0, 0.0],
+//!     dp_dv: [0.0, 100.0, 0.0],
+//!     normal: [0.0, 0.0, 1.0],
+//!     footprint: Footprint::Radius(0.3),
+//! };
+//! let mut shading = Shading::default();
+//! shading.shade(&pattern, &point, [0.0, 0.0, 1.0])?;
+//! let f_cos = shading.eval([0.0, 0.6, 0.8], Output::BrdfCos);
+//! assert!(shading.coverage() > 0.3 && f_cos[0] > 0.0);
+//! # Ok::<(), striae::Error>(())
+//! ```
+
+pub mod brdf;
+pub mod capi;
+mod error;
+pub mod formation;
+pub mod pattern;
+pub mod scattering;
+
+pub use error::{Error, Result};
+
+/// The one place where building precision becomes shading precision.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rounding to single is what it is for"
+)]
+pub(crate) fn single(value: f64) -> f32 {
+    value as f32
+}

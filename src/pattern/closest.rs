@@ -1,0 +1,64 @@
+//! The point of a short curve piece that is nearest to a point.
+
+use glam::DVec2;
+
+/// A cubic Bézier curve at parameter t.
+pub(crate) fn bezier(control: &[DVec2; 4], t: f64) -> DVec2 {
+    let [a, b, c, d] = *control;
+    let (ab, bc, cd) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
+    ab.lerp(bc, t).lerp(bc.lerp(cd, t), t)
+}
+
+/// Its first and second derivatives.
+fn derivatives(control: &[DVec2; 4], t: f64) -> (DVec2, DVec2) {
+    let [a, b, c, d] = *control;
+    let (ab, bc, cd) = (b - a, c - b, d - c);
+    let first = 3.0 * ab.lerp(bc, t).lerp(bc.lerp(cd, t), t);
+    let second = 6.0 * (bc - ab).lerp(cd - bc, t);
+    (first, second)
+}
+
+/// Parameter, point and unit tangent nearest to `target`.
+///
+/// Pieces turn by a few degrees only, so Newton's method from the foot on the chord settles within three
+/// steps; the parameter stays in 0 to 1.
+pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2) {
+    let chord = control[3] - control[0];
+    let along = (target - control[0]).dot(chord) / chord.length_squared();
+    let mut t = if along.is_finite() {
+        along.clamp(0.0, 1.0)
+    } else {
+        0.5
+    };
+    for _ in 0..3 {
+        let away = bezier(control, t) - target;
+        let (first, second) = derivatives(control, t);
+        let slope = first.length_squared() + away.dot(second);
+        if slope > 0.0 {
+            t = (t - away.dot(first) / slope).clamp(0.0, 1.0);
+        }
+    }
+    (t, bezier(control, t), tangent(control, t))
+}
+
+fn tangent(control: &[DVec2; 4], t: f64) -> DVec2 {
+    let (first, _) = derivatives(control, t);
+    let chord = control[3] - control[0];
+    // At a control point that lies on the curve's end the derivative vanishes.
+    let vanishes = first.length_squared() <= 1e-12 * chord.length_squared();
+    let direction = if vanishes { chord } else { first };
+    direction.normalize_or(DVec2::X)
+}
+
+/// Share of the piece's arc length at parameter t: cubic Hermite through the speeds at both ends.
+pub(crate) fn length_share(control: &[DVec2; 4], t: f64) -> f64 {
+    let speeds = [0.0, 0.5, 1.0].map(|t| derivatives(control, t).0.length());
+    let length = (speeds[0] + 4.0 * speeds[1] + speeds[2]) / 6.0;
+    if length <= 0.0 {
+        return t;
+    }
+    let (from, to) = (speeds[0] / length, speeds[2] / length);
+    let (t2, t3) = (t * t, t * t * t);
+    let share = (t3 - 2.0 * t2 + t) * from + (3.0 * t2 - 2.0 * t3) + (t3 - t2) * to;
+    share.clamp(0.0, 1.0)
+}

@@ -1,0 +1,24 @@
+//! Where scratches run: paths and processes in; for a pixel's footprint, the scratches it sees out.
+//!
+//! Paths are curves in texture space (Bosch et al. 2004, section 5); a scratch carries its cross-section as
+//! a continuous function of arc length; a grid finds the pieces near a footprint. All that is asked
+//! while rendering neither allocates nor locks.
+
+mod builder;
+mod closest;
+mod grid;
+mod path;
+mod point;
+mod query;
+mod region;
+mod scratch;
+mod track;
+
+pub use builder::{Pattern, PatternBuilder};
+pub use path::Path;
+pub(crate) use point::Metric;
+pub use point::{Footprint, Frame, SurfacePoint};
+pub(crate) use query::Hit;
+pub(crate) use region::Region;
+pub use scratch::{Key, Scratch};
+pub(crate) use track::{MOST_VERTICES, Track};

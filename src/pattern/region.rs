@@ -1,0 +1,143 @@
+//! What a pixel's box filter covers of the tangent plane: a convex polygon, millimetres.
+
+use glam::DVec2;
+
+/// A parallelogram cut by at most four lines has at most this many corners.
+const MOST_CORNERS: usize = 8;
+
+/// The thinnest footprint, mm. A nanometre is far below what a cross-section means, and keeps a point
+/// footprint a polygon like all others.
+const THINNEST_MM: f64 = 1e-6;
+
+/// A convex polygon, counter-clockwise, relative to the footprint's centre.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Region {
+    corners: [DVec2; MOST_CORNERS],
+    count: usize,
+}
+
+impl Region {
+    /// The parallelogram with edges `a` and `b`, at least a nanometre thick.
+    pub(crate) fn parallelogram(a: DVec2, b: DVec2) -> Self {
+        let long = if a.length_squared() >= b.length_squared() {
+            a
+        } else {
+            b
+        };
+        let short = if a.length_squared() >= b.length_squared() {
+            b
+        } else {
+            a
+        };
+        let length = long.length();
+        let long = if length < THINNEST_MM {
+            DVec2::new(THINNEST_MM, 0.0)
+        } else {
+            long
+        };
+        let normal = long.perp() / long.length();
+        let thick = short.dot(normal);
+        let least = THINNEST_MM.max(1e-7 * length);
+        // A sliver is thickened across its longer edge.
+        let short = if thick.abs() < least {
+            short + normal * (least.copysign(thick) - thick)
+        } else {
+            short
+        };
+        let short = if long.perp_dot(short) < 0.0 {
+            -short
+        } else {
+            short
+        };
+        let (p, q) = (0.5 * (long + short), 0.5 * (long - short));
+        let mut corners = [DVec2::ZERO; MOST_CORNERS];
+        corners[..4].copy_from_slice(&[-p, q, p, -q]);
+        Self { corners, count: 4 }
+    }
+
+    pub(crate) fn corners(&self) -> &[DVec2] {
+        &self.corners[..self.count]
+    }
+
+    /// The corners in pairs, once around.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = (DVec2, DVec2)> {
+        let corners = self.corners();
+        (0..corners.len()).map(|i| (corners[i], corners[(i + 1) % corners.len()]))
+    }
+
+    pub(crate) fn area(&self) -> f64 {
+        0.5 * self.edges().map(|(a, b)| a.perp_dot(b)).sum::<f64>()
+    }
+
+    pub(crate) fn centroid(&self) -> DVec2 {
+        // Relative to a corner, so that a small polygon far from the origin keeps its digits.
+        let base = self.corners[0];
+        let (mut area, mut sum) = (0.0, DVec2::ZERO);
+        for (a, b) in self.edges().map(|(a, b)| (a - base, b - base)) {
+            let cross = a.perp_dot(b);
+            area += cross;
+            sum += cross * (a + b) / 3.0;
+        }
+        if area > 0.0 { base + sum / area } else { base }
+    }
+
+    /// The part where (p - origin) · direction >= 0, or nothing if that is empty (Sutherland and Hodgman 1974).
+    pub(crate) fn clipped(&self, origin: DVec2, direction: DVec2) -> Option<Self> {
+        let side = |p: DVec2| (p - origin).dot(direction);
+        if self.corners().iter().all(|&p| side(p) >= 0.0) {
+            return Some(*self);
+        }
+        let mut kept = Self {
+            corners: [DVec2::ZERO; MOST_CORNERS],
+            count: 0,
+        };
+        for (a, b) in self.edges() {
+            let (at_a, at_b) = (side(a), side(b));
+            if at_a >= 0.0 {
+                kept.push(a);
+            }
+            if (at_a >= 0.0) != (at_b >= 0.0) {
+                kept.push(a.lerp(b, at_a / (at_a - at_b)));
+            }
+        }
+        (kept.count >= 3 && kept.area() > 0.0).then_some(kept)
+    }
+
+    fn push(&mut self, corner: DVec2) {
+        if self.count < MOST_CORNERS {
+            self.corners[self.count] = corner;
+            self.count += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two halves of a cut polygon add up to it.
+    #[test]
+    fn halves_add_up() {
+        let whole = Region::parallelogram(DVec2::new(3.0, 0.4), DVec2::new(-0.2, 1.5));
+        let (at, along) = (DVec2::new(0.3, 0.1), DVec2::new(0.6, -0.8));
+        let parts = [along, -along].map(|side| whole.clipped(at, side).unwrap().area());
+        assert!(
+            (parts[0] + parts[1] - whole.area()).abs() < 1e-12,
+            "{parts:?}"
+        );
+    }
+
+    /// A point, a line and mirrored edges are all polygons with some area, counter-clockwise.
+    #[test]
+    fn degenerate_footprints_have_area() {
+        let x = DVec2::X;
+        for (a, b) in [
+            (DVec2::ZERO, DVec2::ZERO),
+            (x, DVec2::ZERO),
+            (x, x),
+            (x, -DVec2::Y),
+        ] {
+            assert!(Region::parallelogram(a, b).area() > 0.0, "{a} {b}");
+        }
+    }
+}

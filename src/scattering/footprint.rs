@@ -1,0 +1,163 @@
+//! How much of a pixel's box filter falls between two lines along a scratch (section 3 of the model: the
+//! distribution T, here from any convex region).
+
+use crate::pattern::Region;
+use crate::single;
+use glam::DVec2;
+
+/// A convex polygon with at most eight corners projects onto at most seven pieces.
+const MOST_PIECES: usize = 7;
+
+/// The density of a pixel's filter across a scratch: piecewise linear in x, the place across the scratch
+/// relative to its centre line, mm. The whole pixel weighs 1.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(crate) struct Weight {
+    /// x at the pieces' borders, ascending.
+    borders: [f32; MOST_PIECES + 1],
+    /// Density at the left and right of each piece, 1/mm.
+    density: [[f32; 2]; MOST_PIECES],
+    count: u32,
+    /// What of the flat surface beside the scratch belongs to the pixel, mm.
+    window: [f32; 2],
+}
+
+impl Weight {
+    pub(crate) const NONE: Self = Self {
+        borders: [0.0; MOST_PIECES + 1],
+        density: [[0.0; 2]; MOST_PIECES],
+        count: 0,
+        window: [0.0; 2],
+    };
+
+    /// The region's density across a scratch that runs through `origin`; `across` is a unit vector.
+    pub(crate) fn of_region(
+        region: &Region,
+        origin: DVec2,
+        across: DVec2,
+        pixel_area: f64,
+    ) -> Self {
+        let place = |p: DVec2| (p - origin).dot(across);
+        let height = |p: DVec2| p.perp_dot(across);
+        let mut borders = [0.0; MOST_PIECES + 1];
+        let count = region.corners().len();
+        for (border, &corner) in borders.iter_mut().zip(region.corners()) {
+            *border = place(corner);
+        }
+        borders[..count].sort_unstable_by(f64::total_cmp);
+        let mut weight = Self::NONE;
+        for pair in borders[..count].windows(2).filter(|pair| pair[1] > pair[0]) {
+            let (from, to) = (pair[0], pair[1]);
+            // The chord of a convex polygon across one piece: between its two edges that span the piece.
+            let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+            for (a, b) in region.edges() {
+                let (xa, xb) = (place(a), place(b));
+                if xa.min(xb) <= from && xa.max(xb) >= to {
+                    let at = |x: f64| height(a) + (height(b) - height(a)) * ((x - xa) / (xb - xa));
+                    for (i, y) in [at(from), at(to)].into_iter().enumerate() {
+                        low[i] = low[i].min(y);
+                        high[i] = high[i].max(y);
+                    }
+                }
+            }
+            weight.push(
+                from,
+                to,
+                [0, 1].map(|i| (high[i] - low[i]).max(0.0) / pixel_area),
+            );
+        }
+        weight.window = [weight.borders[0], weight.borders[weight.count as usize]];
+        weight
+    }
+
+    /// The same density everywhere, for a pixel that covers `window` of the plane and all relief within it:
+    /// the whole-pixel model of the paper's section 4.1.
+    pub(crate) fn uniform(window: [f32; 2]) -> Self {
+        let density = 1.0 / f64::from(window[1] - window[0]);
+        let mut weight = Self::NONE;
+        weight.push(-1e6, 1e6, [density; 2]);
+        weight.window = window;
+        weight
+    }
+
+    fn push(&mut self, from: f64, to: f64, density: [f64; 2]) {
+        let i = self.count as usize;
+        self.borders[i] = single(from);
+        self.borders[i + 1] = single(to);
+        self.density[i] = density.map(single);
+        self.count += 1;
+    }
+
+    /// The weight between x = `from` and x = `to` (negative if they are swapped).
+    ///
+    /// Each piece is integrated from its own ends, never as a difference of two running sums, so that a
+    /// facet a millionth of the pixel keeps its digits.
+    pub(crate) fn between(&self, from: f32, to: f32) -> f32 {
+        if to < from {
+            return -self.between(to, from);
+        }
+        let mut sum = 0.0;
+        for i in 0..self.count as usize {
+            let (start, end) = (self.borders[i], self.borders[i + 1]);
+            let (a, b) = (from.max(start), to.min(end));
+            if a < b {
+                let [left, right] = self.density[i];
+                let slope = (right - left) / (end - start);
+                let middle = 0.5 * ((a - start) + (b - start));
+                sum += (b - a) * (left + slope * middle);
+            }
+        }
+        sum
+    }
+
+    /// The weight of the flat surface that the scratch takes from the pixel between x = `from` and `to`.
+    pub(crate) fn taken(&self, [from, to]: [f32; 2]) -> f32 {
+        let inside = |x: f32| x.clamp(self.window[0], self.window[1]);
+        self.between(inside(from), inside(to))
+    }
+
+    /// Whether any of `from..to` weighs anything.
+    pub(crate) fn touches(&self, [from, to]: [f32; 2]) -> bool {
+        let last = self.borders[self.count as usize];
+        self.count > 0 && from < last && to > self.borders[0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Any region weighs its share of the pixel, whichever way the scratch runs.
+    #[test]
+    fn weighs_its_area() {
+        let pixel = Region::parallelogram(DVec2::new(0.3, 0.04), DVec2::new(-0.02, 0.15));
+        let part = pixel
+            .clipped(DVec2::new(0.03, 0.0), DVec2::new(0.9, 0.3))
+            .unwrap();
+        for degrees in [0.0_f64, 17.0, 90.0, 133.0] {
+            let across = DVec2::from_angle(degrees.to_radians());
+            let weight = Weight::of_region(&part, DVec2::new(0.1, -0.2), across, pixel.area());
+            let all = weight.between(-10.0, 10.0);
+            let share = single(part.area() / pixel.area());
+            assert!(
+                (all - share).abs() < 1e-6,
+                "{degrees}: {all} against {share}"
+            );
+        }
+    }
+
+    /// An upright box of width 2 weighs x/2 up to x.
+    #[test]
+    fn box_is_linear() {
+        let pixel = Region::parallelogram(DVec2::new(2.0, 0.0), DVec2::new(0.0, 5.0));
+        let weight = Weight::of_region(&pixel, DVec2::ZERO, DVec2::X, pixel.area());
+        assert!(
+            (weight.between(-1.0, 0.5) - 0.75).abs() < 1e-6,
+            "not linear"
+        );
+        assert!(
+            (weight.between(0.5, -1.0) + 0.75).abs() < 1e-6,
+            "not signed"
+        );
+    }
+}

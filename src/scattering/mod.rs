@@ -1,0 +1,12 @@
+//! How scratches reflect: a pattern, a shading point and a view in; a BRDF out.
+//!
+//! What depends on the view is done once per shading point ([`Shading::shade`]): the footprint query, what
+//! each zone shows of itself, and how much that weighs in the pixel. Each light then costs a pass over the
+//! zones ([`Shading::eval`]). Nothing here allocates, locks or fails.
+
+mod footprint;
+mod relief;
+mod shading;
+mod visibility;
+
+pub use shading::{CrossFootprint, Output, Shading};

@@ -1,0 +1,254 @@
+//! One shading point seen from one direction: everything that does not depend on the light.
+
+use super::footprint::Weight;
+use super::relief::{MOST_RELIEFS, Relief, Zones};
+use crate::brdf::{Brdf, Finish, Pair};
+use crate::error::{Error, Result};
+use crate::pattern::{Frame, Hit, MOST_VERTICES, Metric, Pattern, Region, SurfacePoint};
+use glam::{DVec2, Vec2, Vec3};
+
+/// A shadow at grazing light is followed to this many times the scratch's height.
+const LONGEST_SHADOW: f64 = 10.0;
+
+/// So is the shift of relief against the plane at a grazing view.
+const LONGEST_PARALLAX: f64 = 20.0;
+
+/// What [`Shading::eval`] gives.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Output {
+    /// BRDF times the cosine between light and normal.
+    #[default]
+    BrdfCos,
+    /// The BRDF alone.
+    Brdf,
+}
+
+/// Which part of the surface a pixel covers when a cross-section is shaded by itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CrossFootprint {
+    /// The whole cross-section and so many mm of flat surface on each side, as in the paper's section 4.1.
+    Whole {
+        /// Flat surface on each side, mm.
+        margin_mm: f32,
+    },
+    /// A pixel's box filter.
+    Box {
+        /// The pixel's centre, mm to the right of the centre line.
+        center_mm: f64,
+        /// How long the footprint's two edges are across the scratch, mm.
+        extents_mm: [f64; 2],
+    },
+}
+
+/// A shading point: plain data of fixed size. Make one per thread and shade into it again and again.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Shading {
+    coverage: f32,
+    scratch_count: u32,
+    relief_count: u32,
+    /// Zero for a point that reflects nothing.
+    view: Vec3,
+    surface: Finish,
+    reliefs: [Relief; MOST_RELIEFS],
+    zones: Zones,
+}
+
+impl Default for Shading {
+    /// A point that reflects nothing.
+    fn default() -> Self {
+        Self {
+            coverage: 0.0,
+            scratch_count: 0,
+            relief_count: 0,
+            view: Vec3::ZERO,
+            surface: Finish::BLACK,
+            reliefs: [Relief::NONE; MOST_RELIEFS],
+            zones: Zones::empty(),
+        }
+    }
+}
+
+impl Shading {
+    /// Prepares a point of the pattern's surface for a view (of any length above 0, in the local frame).
+    ///
+    /// The result can always be evaluated, also after an error: a view that is no direction, or below the
+    /// surface, reflects nothing; a point that is not usable (normal, uv or derivatives) is an unscratched one;
+    /// a footprint of no usable size (0, infinite, NaN) is a point. Allocates nothing.
+    pub fn shade(&mut self, pattern: &Pattern, point: &SurfacePoint, view: [f32; 3]) -> Result<()> {
+        self.begin(pattern.surface, view)?;
+        let frame = Frame::at(point)?;
+        let scale = pattern.mm_per_scene_unit;
+        let metric = Metric::at(point, &frame, scale)?;
+        let (region, footprint) = metric.region(&point.footprint, scale);
+        if self.view.z > 0.0 {
+            let pixel_area = region.area();
+            let reach = self.reach_mm(pattern);
+            pattern.query(&metric, &region, reach, &mut |hit| {
+                self.add(&hit, pixel_area);
+            });
+            self.share_out();
+        }
+        footprint
+    }
+
+    /// Prepares one cross-section for a view, without a pattern: points (x, z) in mm, x ascending, the first
+    /// and last at z = 0; the scratch runs along y. 2 to 100 points.
+    pub fn shade_cross_section(
+        &mut self,
+        vertices: &[[f32; 2]],
+        scratched: &Brdf,
+        surface: &Brdf,
+        pixel: CrossFootprint,
+        view: [f32; 3],
+    ) -> Result<()> {
+        self.begin(Finish::new(&surface.check()?), view)?;
+        crate::error::in_range("vertex_count", vertices.len() as f64, 2.0, 100.0)?;
+        let finish = Finish::new(&scratched.check()?);
+        let weight = match pixel {
+            CrossFootprint::Whole { margin_mm } => {
+                let (first, last) = (vertices[0][0], vertices[vertices.len() - 1][0]);
+                Weight::uniform([first - margin_mm, last + margin_mm])
+            }
+            CrossFootprint::Box {
+                center_mm,
+                extents_mm: [a, b],
+            } => {
+                let region = Region::parallelogram(DVec2::new(a, 1.0), DVec2::new(b, -1.0));
+                let center_line = DVec2::new(-center_mm, 0.0);
+                Weight::of_region(&region, center_line, DVec2::X, region.area())
+            }
+        };
+        let Some((xs, zs)) = self.zones.free(vertices.len()) else {
+            return Ok(());
+        };
+        for (i, vertex) in vertices.iter().enumerate() {
+            (xs[i], zs[i]) = (vertex[0], vertex[1]);
+        }
+        if self.view.z > 0.0 {
+            self.keep(vertices.len(), Vec2::X, weight, finish);
+            self.share_out();
+        }
+        Ok(())
+    }
+
+    /// How much of what the pixel shows belongs to scratches, 0 to 1.
+    pub fn coverage(&self) -> f32 {
+        self.coverage
+    }
+
+    /// How many runs of scratch the footprint holds.
+    pub fn scratch_count(&self) -> u32 {
+        self.scratch_count
+    }
+
+    /// RGB reflected towards the view from a light in direction `light` (of any length above 0, in the local
+    /// frame). Black for a light that is no direction, or below the surface.
+    pub fn eval(&self, light: [f32; 3], output: Output) -> [f32; 3] {
+        let light = direction(light).unwrap_or(Vec3::ZERO);
+        // Also black where the point itself reflects nothing (view zero).
+        if light.z <= 0.0 || self.view.z <= 0.0 {
+            return [0.0; 3];
+        }
+        let pair = Pair::new(self.view, light);
+        let (mut sum, mut taken) = (Vec3::ZERO, 0.0);
+        for relief in &self.reliefs[..self.relief_count as usize] {
+            let (reflected, share) = self.zones.reflect(relief, &pair);
+            sum += reflected;
+            taken += share;
+        }
+        let flat = (1.0 - taken).max(0.0);
+        sum += self.surface.shared(&pair) * (flat * self.surface.lobe_cos(Vec3::Z, &pair));
+        match output {
+            Output::BrdfCos => sum.to_array(),
+            Output::Brdf => (sum / light.z).to_array(),
+        }
+    }
+
+    fn begin(&mut self, surface: Finish, view: [f32; 3]) -> Result<()> {
+        self.coverage = 0.0;
+        self.scratch_count = 0;
+        self.relief_count = 0;
+        self.surface = surface;
+        self.zones.clear();
+        self.view = direction(view).unwrap_or(Vec3::ZERO);
+        if self.view == Vec3::ZERO {
+            let given = f64::from(view[0]) + f64::from(view[1]) + f64::from(view[2]);
+            return Err(Error::number(
+                "view",
+                given,
+                "a finite vector other than zero",
+            ));
+        }
+        Ok(())
+    }
+
+    /// How far from the footprint a scratch can matter: by its width, by parallax, by its shadow.
+    fn reach_mm(&self, pattern: &Pattern) -> f64 {
+        let view = self.view.as_dvec3();
+        let parallax = (view.truncate().length() / view.z).min(LONGEST_PARALLAX);
+        let extent = pattern.extent;
+        f64::from(extent.half_width_mm) + f64::from(extent.height_mm) * (LONGEST_SHADOW + parallax)
+    }
+
+    fn add(&mut self, hit: &Hit<'_>, pixel_area: f64) {
+        self.scratch_count += 1;
+        let across = DVec2::new(hit.travel.y, -hit.travel.x);
+        let vertices = hit.track.vertex_count();
+        let weight = Weight::of_region(&hit.region, hit.origin, across, pixel_area);
+        let room = (self.relief_count as usize) < MOST_RELIEFS;
+        match self.zones.free(vertices) {
+            Some((xs, zs)) if room => {
+                hit.track.sample(hit.at, xs, zs);
+                self.keep(vertices, across.as_vec2(), weight, hit.track.finish);
+            }
+            _ => self.widen(hit, across, &weight),
+        }
+    }
+
+    /// Keeps the cross-section just written to the free slots.
+    fn keep(&mut self, vertices: usize, across: Vec2, weight: Weight, finish: Finish) {
+        let prepared = self
+            .zones
+            .prepare(vertices, across, weight, finish, self.view);
+        if let Some(relief) = prepared {
+            self.reliefs[self.relief_count as usize] = relief;
+            self.relief_count += 1;
+        }
+    }
+
+    /// Counts a scratch for which there is no room with the one it is most aligned to: nothing is lost.
+    fn widen(&mut self, hit: &Hit<'_>, across: DVec2, weight: &Weight) {
+        let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
+        let vertices = hit.track.vertex_count();
+        hit.track
+            .sample(hit.at, &mut xs[..vertices], &mut zs[..vertices]);
+        let more = weight.taken([xs[0], xs[vertices - 1]]);
+        let reliefs = &mut self.reliefs[..self.relief_count as usize];
+        let alike = reliefs
+            .iter_mut()
+            .filter(|relief| relief.coverage() > 0.0)
+            .max_by(|a, b| a.alignment(across).total_cmp(&b.alignment(across)));
+        if let Some(relief) = alike {
+            relief.gain *= 1.0 + more / relief.coverage();
+        }
+    }
+
+    /// Where scratches crowd, their shares are scaled to fill the pixel and no more.
+    fn share_out(&mut self) {
+        let reliefs = &mut self.reliefs[..self.relief_count as usize];
+        let all: f32 = reliefs.iter().map(Relief::coverage).sum();
+        if all > 1.0 {
+            reliefs.iter_mut().for_each(|relief| relief.gain /= all);
+        }
+        self.coverage = all.clamp(0.0, 1.0);
+    }
+}
+
+/// Unit length at any scale; double precision holds where single would overflow, or flush to zero.
+fn direction(v: [f32; 3]) -> Option<Vec3> {
+    Vec3::from(v)
+        .as_dvec3()
+        .try_normalize()
+        .map(|v| v.as_vec3())
+}
