@@ -3,6 +3,11 @@
 //! `tests/data/golden.json`, or another file of the same form named by the environment variable
 //! `STRIAE_GOLDEN`. `tests/data/README.md` says what the file holds. Each test prints its worst deviation.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    reason = "cases are read in double precision"
+)]
+
 use serde::Deserialize;
 use std::f64::consts::SQRT_2;
 use striae::brdf::{Brdf, Fresnel};

@@ -11,6 +11,9 @@ pub(crate) const MOST_RELIEFS: usize = 16;
 /// Vertices that a shading point holds for all its scratches together.
 pub(crate) const MOST_SLOTS: usize = 152;
 
+/// A shadow at grazing light is followed to this many times the height it falls from (down to 2.9 degrees).
+pub(crate) const LONGEST_SHADOW: f32 = 20.0;
+
 /// All zones of one shading point, in flat arrays: facet k of a relief runs from vertex k to k + 1 and
 /// has its own values in slot k (the last vertex's slot has none).
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +92,9 @@ impl Zones {
         let horizon = sweep(xs, zs, v, |k, part| seen[k] = part);
         let ends = [xs[0], xs[vertices - 1]];
         let seen_flat = v.flat_ends(horizon, ends);
-        if !weight.touches(seen_flat) {
+        // A shadow may fall into the pixel from a scratch beside it.
+        let shadow = LONGEST_SHADOW * zs.iter().copied().fold(0.0, f32::max);
+        if !weight.touches([seen_flat[0] - shadow, seen_flat[1] + shadow]) {
             return None;
         }
         let relief = Relief {

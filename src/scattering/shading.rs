@@ -1,16 +1,13 @@
 //! One shading point seen from one direction: everything that does not depend on the light.
 
 use super::footprint::Weight;
-use super::relief::{MOST_RELIEFS, Relief, Zones};
+use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, Relief, Zones};
 use crate::brdf::{Brdf, Finish, Pair};
 use crate::error::{Error, Result};
 use crate::pattern::{Frame, Hit, MOST_VERTICES, Metric, Pattern, Region, SurfacePoint};
 use glam::{DVec2, Vec2, Vec3};
 
-/// A shadow at grazing light is followed to this many times the scratch's height.
-const LONGEST_SHADOW: f64 = 10.0;
-
-/// So is the shift of relief against the plane at a grazing view.
+/// The shift of relief against the plane at a grazing view is followed to this many times its height.
 const LONGEST_PARALLAX: f64 = 20.0;
 
 /// What [`Shading::eval`] gives.
@@ -188,7 +185,8 @@ impl Shading {
         let view = self.view.as_dvec3();
         let parallax = (view.truncate().length() / view.z).min(LONGEST_PARALLAX);
         let extent = pattern.extent;
-        f64::from(extent.half_width_mm) + f64::from(extent.height_mm) * (LONGEST_SHADOW + parallax)
+        f64::from(extent.half_width_mm)
+            + f64::from(extent.height_mm) * (f64::from(LONGEST_SHADOW) + parallax)
     }
 
     fn add(&mut self, hit: &Hit<'_>, pixel_area: f64) {
