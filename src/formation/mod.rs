@@ -4,8 +4,10 @@
 //! the material pushed out stands beside it in two peaks (Bosch et al. 2004, section 3).
 
 mod cross_section;
+mod envelope;
 mod facets;
 mod material;
+mod mesh;
 mod orientation;
 mod outline;
 mod penetration;

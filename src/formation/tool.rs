@@ -2,6 +2,7 @@
 //!
 //! Every tool stands with its tip at the origin and its axis along +z, lengths in mm.
 
+use super::mesh::Mesh;
 use super::orientation::Orientation;
 use super::outline::{Outline, Piece};
 use crate::error::{Error, Result, in_range};
@@ -24,6 +25,8 @@ enum Shape {
     },
     /// The convex hull of these points.
     Hull(Vec<DVec3>),
+    /// Any surface.
+    Mesh(Mesh),
 }
 
 impl Tool {
@@ -86,6 +89,31 @@ impl Tool {
         })
     }
 
+    /// A triangle mesh: positions in its own unit, `mm_per_unit` mm each (1e-9 to 1e9), three indices a
+    /// triangle. Any mesh will do: non-convex, open, unoriented. Its lowest point (the middle, if several are
+    /// lowest) becomes the tip. Where it leans over its own foot, the groove's wall stands upright.
+    ///
+    /// Errors: no triangles, indices out of range, positions not finite, a tool that is smaller than 1e-6 mm or
+    /// larger than 1e4 mm across.
+    pub fn mesh(positions: &[[f64; 3]], triangles: &[[u32; 3]], mm_per_unit: f64) -> Result<Self> {
+        in_range("mm_per_unit", mm_per_unit, 1e-9, 1e9)?;
+        let vertices: Vec<DVec3> = positions
+            .iter()
+            .map(|&position| DVec3::from(position) * mm_per_unit)
+            .collect();
+        Ok(Self {
+            shape: Shape::Mesh(Mesh::from_triangles(&vertices, triangles)?),
+        })
+    }
+
+    /// A flat sheet across the travel, such as a ground scraper: its lower edge as points (x to the right, z up),
+    /// mm, two or more. Its lowest point becomes the tip.
+    pub fn profile(points_mm: &[[f64; 2]]) -> Result<Self> {
+        Ok(Self {
+            shape: Shape::Mesh(Mesh::from_profile(points_mm)?),
+        })
+    }
+
     /// The Rockwell C diamond of scratch testers: a 120° cone with a 0.2 mm tip radius (ISO 6508-2).
     pub fn rockwell_c() -> Self {
         Self::preset(Self::sphero_cone(60.0, 0.2, 3.0))
@@ -124,6 +152,11 @@ impl Tool {
                 Ok(Outline::new(pieces.to_vec()))
             }
             Shape::Hull(points) => hull_outline(points, orientation),
+            Shape::Mesh(mesh) => mesh.outline(orientation.rotation()).ok_or(Error::number(
+                "spin_deg",
+                orientation.spin_deg,
+                "an angle at which the tool is not a flat sheet seen edge-on",
+            )),
         }
     }
 }
