@@ -1,0 +1,50 @@
+#include "film.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool film_init(Film *film, int width, int height) {
+    *film = (Film){width, height, calloc((size_t)width * (size_t)height, sizeof *film->rgb)};
+    return film->rgb != NULL;
+}
+
+void film_free(Film *film) {
+    free(film->rgb);
+    *film = (Film){0, 0, NULL};
+}
+
+static float *pixel(const Film *film, int x, int y) { return film->rgb[(size_t)y * (size_t)film->width + (size_t)x]; }
+
+bool film_half(const Film *film, Film *half) {
+    const int width = film->width > 1 ? film->width / 2 : 1, height = film->height > 1 ? film->height / 2 : 1;
+    if (!film_init(half, width, height)) return false;
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            const int x0 = 2 * x, y0 = 2 * y, x1 = x0 + (film->width > 1), y1 = y0 + (film->height > 1);
+            for (int c = 0; c < 3; c++)
+                pixel(half, x, y)[c] = 0.25f * (pixel(film, x0, y0)[c] + pixel(film, x1, y0)[c] +
+                                                pixel(film, x0, y1)[c] + pixel(film, x1, y1)[c]);
+        }
+    }
+    return true;
+}
+
+bool film_side_by_side(const Film *films, size_t count, int gutter, Film *sheet) {
+    const int step = films[0].width + gutter;
+    if (!film_init(sheet, (int)count * step - gutter, films[0].height)) return false;
+    for (size_t i = 0; i < count; i++)
+        for (int y = 0; y < films[i].height; y++)
+            memcpy(pixel(sheet, (int)i * step, y), pixel(&films[i], 0, y), (size_t)films[i].width * sizeof *sheet->rgb);
+    return true;
+}
+
+/* Narkowicz's fit (2015) of the film curve that the Academy's colour system uses: a toe for deep shadows, a long
+   shoulder, so that a glint on a scratch keeps its shape. */
+static double film_curve(double x) { return fmin(1.0, x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)); }
+
+static double srgb_curve(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055; }
+
+void film_tone(const float rgb[3], double exposure, unsigned char bytes[3]) {
+    for (int c = 0; c < 3; c++) bytes[c] = (unsigned char)(255.0 * srgb_curve(film_curve(exposure * (double)rgb[c])) + 0.5);
+}

@@ -1,0 +1,27 @@
+/* Pictures: scene-linear in memory and as EXR, for the screen as PNG. */
+#ifndef RENDERER_FILM_H
+#define RENDERER_FILM_H
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct Film {
+    int width, height;
+    float (*rgb)[3]; /* row by row from the top, linear, sRGB's primaries */
+} Film;
+
+bool film_init(Film *film, int width, int height);
+void film_free(Film *film);
+
+/* The mean of every 2 x 2 pixels. */
+bool film_half(const Film *film, Film *half);
+
+/* Pictures of one size side by side, with gaps of `gutter` black pixels. */
+bool film_side_by_side(const Film *films, size_t count, int gutter, Film *sheet);
+
+/* A screen's three bytes for a radiance: exposure, film's curve, the sRGB curve. */
+void film_tone(const float rgb[3], double exposure, unsigned char bytes[3]);
+
+/* NULL if the file was written, otherwise why not. */
+const char *film_write_exr(const Film *film, const char *path);
+const char *film_write_png(const Film *film, double exposure, const char *path);
+#endif

@@ -1,0 +1,159 @@
+/* The titanium plate of the paper's Figure 10: five parallel scratches made by a scratch tester's Rockwell C
+   cone, each with a smaller force than its neighbour. */
+#include <stdio.h>
+
+#include "scene.h"
+
+enum { FACE_NONE, FACE_TOP, FACE_EDGES, FACE_GROUND = FACE_EDGES + 8 };
+enum { SCRATCH_COUNT = 5 };
+
+static const double MM_PER_UNIT = 10.0;
+static const double PLATE_MM[3] = {60.0, 40.0, 3.0};
+static const double BEVEL_MM = 0.5;
+
+/* The range of loads of the paper's tests, in equal steps. */
+static const double FORCE_KGF[SCRATCH_COUNT] = {4.0, 3.125, 2.25, 1.375, 0.5};
+static const double SPACING_MM = 5.5;
+static const double LENGTH_MM = 34.0;
+/* The part of its length, at each end, over which a scratch grows from nothing to its full force. */
+static const double SOFT_END = 0.05;
+
+/* One scratch along the plate's long side; the first is the nearest to the viewer of the third picture. */
+static StriaeStatus add_scratch(StriaePatternBuilder *builder, const StriaeTool *tool, int index) {
+    const double y_mm = (index - (SCRATCH_COUNT - 1) / 2.0) * SPACING_MM;
+    const double v = 0.5 + y_mm / PLATE_MM[1], u_margin = 0.5 - 0.5 * LENGTH_MM / PLATE_MM[0];
+    const double path_uv[2][2] = {{u_margin, v}, {1.0 - u_margin, v}};
+    const double force = FORCE_KGF[index];
+    const StriaeKey keys[4] = {{.at = 0.0, .force_kgf = 0.0},
+                               {.at = SOFT_END, .force_kgf = force},
+                               {.at = 1.0 - SOFT_END, .force_kgf = force},
+                               {.at = 1.0, .force_kgf = 0.0}};
+    const StriaeScratch scratch = {.struct_size = sizeof scratch,
+                                   .tool = tool,
+                                   .curve = STRIAE_CURVE_POLYLINE,
+                                   .depth_law = STRIAE_DEPTH_LAW_BOSCH2004,
+                                   .points_uv = path_uv,
+                                   .point_count = 2,
+                                   .keys = keys,
+                                   .key_count = 4};
+    return striae_pattern_builder_add_scratch(builder, &scratch);
+}
+
+static StriaeStatus add_scratches(StriaePatternBuilder *builder, const StriaeTool *tool) {
+    StriaeStatus status = STRIAE_STATUS_OK;
+    for (int i = 0; i < SCRATCH_COUNT && status == STRIAE_STATUS_OK; i++) status = add_scratch(builder, tool, i);
+    return status;
+}
+
+/* The whole process: material, tool, five scratches. Everything but the pattern is let go of again. */
+static StriaeStatus scratch_pattern(StriaePattern **pattern) {
+    const StriaePatternOptions options = {
+        .struct_size = sizeof options,
+        .mm_per_scene_unit = MM_PER_UNIT,
+        .units_per_uv = {PLATE_MM[0] / MM_PER_UNIT, PLATE_MM[1] / MM_PER_UNIT}};
+    StriaeMaterial titanium = {.struct_size = sizeof titanium};
+    StriaeTool *tool = NULL;
+    StriaePatternBuilder *builder = NULL;
+
+    StriaeStatus status = striae_material_metal(STRIAE_METAL_TITANIUM, &titanium);
+    if (status == STRIAE_STATUS_OK) status = striae_tool_preset(STRIAE_TOOL_PRESET_ROCKWELL_C, &tool);
+    if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_new(&titanium, &options, &builder);
+    if (status == STRIAE_STATUS_OK) status = add_scratches(builder, tool);
+    if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_build(builder, pattern);
+    striae_pattern_builder_free(builder);
+    striae_tool_release(tool);
+    return status;
+}
+
+/* Texture coordinates of the plate unfolded like a carton: the top, around it the bevels, around those the
+   sides, all to the top's scale, so that (0,0)-(1,1) is the plate seen from above. */
+static void unfold(Vec corner, double unfolded_mm, int side, double uv[2]) {
+    const double along[2] = {corner.x * MM_PER_UNIT, corner.y * MM_PER_UNIT};
+    const double sign = side < 2 ? 1.0 : -1.0;
+    for (int axis = 0; axis < 2; axis++) {
+        const double mm = axis == side % 2 ? sign * unfolded_mm : along[axis];
+        uv[axis] = 0.5 + mm / PLATE_MM[axis];
+    }
+}
+
+/* The strip on one side (0: +x, 1: +y, 2: -x, 3: -y) between two rectangles, each given by its half sizes and
+   height and by how far its border lies from the middle of the unfolded plate. */
+typedef struct Ring {
+    double half_mm[2], z_mm, unfolded_mm[2];
+} Ring;
+
+static Vec ring_corner(const Ring *ring, double sign_x, double sign_y) {
+    return vec(sign_x * ring->half_mm[0] / MM_PER_UNIT, sign_y * ring->half_mm[1] / MM_PER_UNIT,
+               ring->z_mm / MM_PER_UNIT);
+}
+
+static void add_strip(Mesh *mesh, unsigned face, const Ring *inner, const Ring *outer, int side) {
+    static const double signs[4][2][2] = {{{1, -1}, {1, 1}}, {{1, 1}, {-1, 1}}, {{-1, 1}, {-1, -1}}, {{-1, -1}, {1, -1}}};
+    const double(*s)[2] = signs[side];
+    const Vec corners[4] = {ring_corner(outer, s[0][0], s[0][1]), ring_corner(outer, s[1][0], s[1][1]),
+                            ring_corner(inner, s[1][0], s[1][1]), ring_corner(inner, s[0][0], s[0][1])};
+    double uv[4][2];
+    for (int i = 0; i < 4; i++) unfold(corners[i], (i < 2 ? outer : inner)->unfolded_mm[side % 2], side, uv[i]);
+    mesh_add_quad(mesh, face, corners, uv);
+}
+
+static bool plate_mesh(Mesh *mesh) {
+    if (!mesh_init(mesh, 9)) return false;
+    const double hx = PLATE_MM[0] / 2, hy = PLATE_MM[1] / 2, top = PLATE_MM[2], b = BEVEL_MM, slope = b * sqrt(2.0);
+    const double wall = top - b;
+    const Ring face = {{hx - b, hy - b}, top, {hx - b, hy - b}};
+    const Ring rim = {{hx, hy}, top - b, {hx - b + slope, hy - b + slope}};
+    const Ring foot = {{hx, hy}, 0.0, {hx - b + slope + wall, hy - b + slope + wall}};
+
+    const Vec corners[4] = {ring_corner(&face, -1, -1), ring_corner(&face, 1, -1), ring_corner(&face, 1, 1),
+                            ring_corner(&face, -1, 1)};
+    double uv[4][2];
+    for (int i = 0; i < 4; i++) {
+        uv[i][0] = 0.5 + corners[i].x * MM_PER_UNIT / PLATE_MM[0];
+        uv[i][1] = 0.5 + corners[i].y * MM_PER_UNIT / PLATE_MM[1];
+    }
+    mesh_add_quad(mesh, FACE_TOP, corners, uv);
+    for (int side = 0; side < 4; side++) {
+        add_strip(mesh, FACE_EDGES + (unsigned)side, &face, &rim, side);
+        add_strip(mesh, FACE_EDGES + 4 + (unsigned)side, &rim, &foot, side);
+    }
+    return true;
+}
+
+/* The dark table top that the plate lies on. */
+static bool ground_mesh(Mesh *mesh) {
+    if (!mesh_init(mesh, 1)) return false;
+    const double h = 400.0;
+    const Vec corners[4] = {vec(-h, -h, 0), vec(h, -h, 0), vec(h, h, 0), vec(-h, h, 0)};
+    double uv[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    mesh_add_quad(mesh, FACE_GROUND, corners, uv);
+    mesh->albedo[0] = 0.030;
+    mesh->albedo[1] = 0.032;
+    mesh->albedo[2] = 0.036;
+    return true;
+}
+
+bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
+    scene->mm_per_unit = MM_PER_UNIT;
+    scene->target = vec(0.0, 0.0, PLATE_MM[2] / MM_PER_UNIT);
+    scene->judged_face = FACE_TOP;
+    scene->exposure = 1.3;
+    /* Camera and flash go round the plate together. First they look along the scratches, whose flanks throw the
+       flash aside; then across them, steeply: even the weakest has a flank that throws it back; then across them
+       and lower, from the other side: the weakest is no longer steep enough. */
+    scene->views[0] = (View){"plate-1", -20.0, 66.0, 0.0, 14.0, 29.0};
+    scene->views[1] = (View){"plate-2", 94.0, 69.5, -66.0, 14.0, 29.0};
+    scene->views[2] = (View){"plate-3", -82.0, 66.0, 0.0, 14.0, 27.5};
+    scene->view_count = 3;
+
+    StriaePattern *pattern = NULL;
+    if (scratch_pattern(&pattern) != STRIAE_STATUS_OK) {
+        snprintf(error, SCENE_ERROR_SIZE, "%s", striae_last_error());
+        return false;
+    }
+    scene->mesh_count = 2;
+    const bool built = plate_mesh(&scene->meshes[0]) && ground_mesh(&scene->meshes[1]);
+    scene->meshes[0].pattern = pattern;
+    if (!built) snprintf(error, SCENE_ERROR_SIZE, "out of memory");
+    return built;
+}

@@ -1,0 +1,82 @@
+#include "shade.h"
+
+#include <stdint.h>
+
+/* What striae wants to know about a surface point, with the sample's square as footprint. */
+static StriaePoint striae_point(const Stage *stage, const Surface *surface, const Sample *sample) {
+    StriaePoint point = {.uv = {surface->uv[0], surface->uv[1]}};
+    vec_to_floats(surface->dp_du, point.dp_du);
+    vec_to_floats(surface->dp_dv, point.dp_dv);
+    vec_to_floats(surface->normal, point.normal);
+    const bool projected = camera_footprint(&stage->camera, surface, sample->x, sample->y, sample->size,
+                                            point.duv_dx, point.duv_dy);
+    point.footprint = projected ? STRIAE_FOOTPRINT_DIFFERENTIALS : STRIAE_FOOTPRINT_POINT;
+    return point;
+}
+
+static void to_local(const StriaeFrame *frame, Vec from, Vec to, float local[3]) {
+    float world[3];
+    vec_to_floats(vec_unit(vec_sub(to, from)), world);
+    striae_frame_to_local(frame, world, local);
+}
+
+/* A scratched surface: one query for the viewer, then one evaluation for each light. Light that passes over
+   the surface is exact, scratches included; every patch of a lamp counts as a point at its middle. */
+static void shade_scratched(const Stage *stage, const Surface *surface, const Sample *sample, double radiance[3]) {
+    const StriaePoint point = striae_point(stage, surface, sample);
+    StriaeFrame frame;
+    StriaeShading shading;
+    float view[3];
+    striae_frame(&point, &frame);
+    to_local(&frame, surface->position, stage->camera.position, view);
+    striae_shade(surface->mesh->pattern, &point, view, &shading);
+
+    for (size_t i = 0; i < stage->lights.count; i++) {
+        const Patch *patch = &stage->lights.patches[i];
+        float light[3], f[3];
+        to_local(&frame, surface->position, patch->position, light);
+        striae_eval(&shading, light, 0, f);
+        if (f[0] + f[1] + f[2] <= 0.0f || trace_blocked(stage->tracer, surface, patch->position)) continue;
+        double irradiance[3];
+        patch_irradiance(patch, patch->position, surface->position, irradiance);
+        for (int c = 0; c < 3; c++) radiance[c] += irradiance[c] * (double)f[c];
+    }
+}
+
+/* Numbers in [0,1) that look random but are the same in every run (PCG's output permutation). */
+static double next_random(uint32_t *state) {
+    *state = *state * 747796405u + 2891336453u;
+    const uint32_t word = ((*state >> ((*state >> 28) + 4u)) ^ *state) * 277803737u;
+    return ((word >> 22) ^ word) * (1.0 / 4294967296.0);
+}
+
+/* A matte surface, for what lies about: each lamp's patches are met at random points, for soft shadows. */
+static void shade_matte(const Stage *stage, const Surface *surface, const Sample *sample, double radiance[3]) {
+    enum { POINTS_PER_PATCH = 2 };
+    uint32_t random = (uint32_t)(sample->x * 4096.0) * 73856093u ^ (uint32_t)(sample->y * 4096.0) * 19349663u;
+    for (size_t i = 0; i < stage->lights.count * POINTS_PER_PATCH; i++) {
+        const Patch *patch = &stage->lights.patches[i / POINTS_PER_PATCH];
+        const double a = next_random(&random), b = next_random(&random);
+        const Vec from = patch_point(patch, a, b);
+        const double cosine = vec_dot(vec_unit(vec_sub(from, surface->position)), surface->normal);
+        if (cosine <= 0.0 || trace_blocked(stage->tracer, surface, from)) continue;
+        double irradiance[3];
+        patch_irradiance(patch, from, surface->position, irradiance);
+        for (int c = 0; c < 3; c++)
+            radiance[c] += irradiance[c] * cosine * surface->mesh->albedo[c] / (PI * POINTS_PER_PATCH);
+    }
+}
+
+unsigned shade_sample(const Stage *stage, const Sample *sample, double radiance[3]) {
+    const Vec direction = camera_direction(&stage->camera, sample->x, sample->y);
+    Hit hit;
+    for (int c = 0; c < 3; c++) radiance[c] = 0.0;
+    if (!trace_closest(stage->tracer, stage->camera.position, direction, &hit)) return 0;
+    const Surface surface = mesh_surface(hit.mesh, hit.triangle, stage->camera.position, direction);
+    if (surface.mesh->pattern) {
+        shade_scratched(stage, &surface, sample, radiance);
+    } else {
+        shade_matte(stage, &surface, sample, radiance);
+    }
+    return surface.face;
+}
