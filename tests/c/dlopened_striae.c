@@ -1,0 +1,51 @@
+/* The calls that the renderer makes, passed on to a library that was opened at run time. */
+#include <dlfcn.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <striae.h>
+
+static void *library;
+
+bool dlopened_striae_open(const char *path);
+
+bool dlopened_striae_open(const char *path) {
+    library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (!library) printf("%s\n", dlerror());
+    return library != NULL;
+}
+
+/* Defines a function that looks up its namesake once and passes on its arguments. */
+#define FORWARD(result, name, parameters, arguments)            \
+    result name parameters {                                    \
+        static result(*call) parameters;                        \
+        if (!call) *(void **)(&call) = dlsym(library, #name);   \
+        return call arguments;                                  \
+    }
+#define FORWARD_RELEASE(name, type)                             \
+    void name(type *object) {                                   \
+        static void (*call)(type *);                            \
+        if (!call) *(void **)(&call) = dlsym(library, #name);   \
+        call(object);                                           \
+    }
+
+FORWARD(const char *, striae_last_error, (void), ())
+FORWARD(StriaeStatus, striae_material_metal, (uint32_t metal, StriaeMaterial *material), (metal, material))
+FORWARD(StriaeStatus, striae_tool_preset, (uint32_t preset, StriaeTool **tool), (preset, tool))
+FORWARD(StriaeStatus, striae_pattern_builder_new,
+        (const StriaeMaterial *surface, const StriaePatternOptions *options, StriaePatternBuilder **builder),
+        (surface, options, builder))
+FORWARD(StriaeStatus, striae_pattern_builder_add_scratch,
+        (StriaePatternBuilder * builder, const StriaeScratch *scratch), (builder, scratch))
+FORWARD(StriaeStatus, striae_pattern_builder_build, (const StriaePatternBuilder *builder, StriaePattern **pattern),
+        (builder, pattern))
+FORWARD(StriaeStatus, striae_frame, (const StriaePoint *point, StriaeFrame *frame), (point, frame))
+FORWARD(StriaeStatus, striae_frame_to_local, (const StriaeFrame *frame, const float world[3], float local[3]),
+        (frame, world, local))
+FORWARD(StriaeStatus, striae_shade,
+        (const StriaePattern *pattern, const StriaePoint *point, const float view[3], StriaeShading *shading),
+        (pattern, point, view, shading))
+FORWARD(StriaeStatus, striae_eval, (const StriaeShading *shading, const float light[3], uint32_t flags, float f[3]),
+        (shading, light, flags, f))
+FORWARD_RELEASE(striae_tool_release, const StriaeTool)
+FORWARD_RELEASE(striae_pattern_release, const StriaePattern)
+FORWARD_RELEASE(striae_pattern_builder_free, StriaePatternBuilder)

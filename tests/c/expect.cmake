@@ -1,0 +1,10 @@
+# Runs COMMAND with ARGUMENTS, written as in a shell, and expects EXIT_CODE and text, on either stream, that matches OUTPUT.
+separate_arguments(ARGUMENTS UNIX_COMMAND "${ARGUMENTS}")
+execute_process(COMMAND "${COMMAND}" ${ARGUMENTS} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
+message("${text}")
+if(NOT code STREQUAL EXIT_CODE)
+  message(FATAL_ERROR "exit code ${code}, expected ${EXIT_CODE}")
+endif()
+if(NOT text MATCHES "${OUTPUT}")
+  message(FATAL_ERROR "the text above does not match: ${OUTPUT}")
+endif()

@@ -1,0 +1,28 @@
+# The example renderer as a program: pictures come out, the check holds, wrong options are named.
+set(pictures "${CMAKE_CURRENT_BINARY_DIR}/pictures")
+
+# renderer_test(NAME EXIT_CODE OUTPUT ARGUMENT...): OUTPUT is a regular expression.
+function(renderer_test name exit_code output)
+  string(REPLACE ";" " " arguments "${ARGN}")
+  add_test(NAME renderer_${name} COMMAND "${CMAKE_COMMAND}" "-DCOMMAND=$<TARGET_FILE:striae_render>"
+    "-DARGUMENTS=${arguments}" "-DEXIT_CODE=${exit_code}" "-DOUTPUT=${output}"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/expect.cmake")
+  striae_test_settings(renderer_${name})
+endfunction()
+
+renderer_test(check 0 "worst view: RMS [0-9.]+ %" --check --width 192 --height 108 --out "'${pictures}'")
+renderer_test(many_samples 0 "contact-sheet.png" --spp 16 --width 96 --height 54 --threads 1 --out "'${pictures}-16'")
+renderer_test(help 0 "--width N" --help)
+renderer_test(bad_width 2 "--width is \"12x\"; accepted: a whole number from 16 to 8192" --width 12x)
+renderer_test(bad_height 2 "--height is \"-1\"; accepted: a whole number from 16 to 8192" --height -1)
+renderer_test(bad_spp 2 "--spp is \"7\"; accepted: a square number from 1 to 1024" --spp 7)
+renderer_test(bad_threads 2 "--threads is \"0\"; accepted: a whole number from 1 to 256" --threads 0)
+renderer_test(bad_scene 1 "--scene is \"spoon\"; accepted: plate" --scene spoon --out "'${pictures}'")
+renderer_test(no_value 2 "--out needs a value" --out)
+renderer_test(unknown_option 2 "\"--frames\" is not an option" --frames 3)
+renderer_test(bad_folder 1 "/proc/nowhere: " --out /proc/nowhere)
+
+add_test(NAME renderer_pictures COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${pictures}"
+  -P "${CMAKE_CURRENT_SOURCE_DIR}/pictures.cmake")
+set_tests_properties(renderer_check PROPERTIES FIXTURES_SETUP pictures)
+set_tests_properties(renderer_pictures PROPERTIES FIXTURES_REQUIRED pictures)

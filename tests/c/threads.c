@@ -1,0 +1,55 @@
+/* One pattern, many threads: retained and released by all, shaded by all, the same numbers in each. */
+#include <pthread.h>
+
+#include "plate_fixture.h"
+
+enum { THREADS = 4, ROUNDS = 2000 };
+
+static StriaePattern *pattern;
+
+static void *shade_often(void *user) {
+    float *sum = user;
+    for (int i = 0; i < ROUNDS; i++) {
+        striae_pattern_retain(pattern);
+        const StriaePoint point = plate_point(0.1 + 0.8 * i / ROUNDS, 0.5, 0.2);
+        const float view[3] = {0.0f, 0.6f, 0.8f}, light[3] = {0.0f, -0.28f, 0.96f};
+        StriaeShading shading;
+        float f[3] = {0.0f, 0.0f, 0.0f};
+        if (striae_shade(pattern, &point, view, &shading) == STRIAE_STATUS_OK &&
+            striae_eval(&shading, light, 0, f) == STRIAE_STATUS_OK)
+            *sum += f[0];
+        striae_pattern_release(pattern);
+    }
+    return NULL;
+}
+
+static void *fail_with_minus_three(void *user) {
+    StriaeTool *tool = NULL;
+    EXPECT_REFUSED(striae_tool_wedge(-3.0, 60.0, 1.0, &tool), "width_mm", "-3");
+    (void)user;
+    return NULL;
+}
+
+int main(void) {
+    Plate plate;
+    pthread_t threads[THREADS];
+    float sums[THREADS] = {0}, alone = 0.0f;
+    plate_init(&plate);
+    pattern = plate_pattern(&plate);
+    striae_tool_release(plate.tool);
+
+    protects("threads that share a pattern get what one thread gets alone");
+    shade_often(&alone);
+    for (int i = 0; i < THREADS; i++) EXPECT(pthread_create(&threads[i], NULL, shade_often, &sums[i]) == 0);
+    for (int i = 0; i < THREADS; i++) pthread_join(threads[i], NULL);
+    for (int i = 0; i < THREADS; i++) EXPECT(sums[i] == alone && alone > 0.0f);
+    striae_pattern_release(pattern);
+
+    protects("an error text belongs to the thread that made the error");
+    StriaeTool *tool = NULL;
+    EXPECT_REFUSED(striae_tool_wedge(-5.0, 60.0, 1.0, &tool), "width_mm", "-5");
+    EXPECT(pthread_create(&threads[0], NULL, fail_with_minus_three, NULL) == 0);
+    pthread_join(threads[0], NULL);
+    EXPECT(strstr(striae_last_error(), "-5") != NULL);
+    return expect_summary();
+}
