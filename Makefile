@@ -1,0 +1,38 @@
+# Two commands: `make demo` renders the scratched titanium plate, `make test` checks everything.
+# Both install the Debian packages they need, as root or through sudo.
+
+MAKEFLAGS += --no-print-directory
+BUILD := build
+OUT := out
+JOBS := $(shell nproc 2>/dev/null || echo 2)
+# cmake without a line for every file that it compiles.
+CONFIGURE := cmake -S . -B $(BUILD) --log-level=NOTICE -DCMAKE_BUILD_TYPE=Release \
+	-DCMAKE_RULE_MESSAGES=OFF -DCMAKE_TARGET_MESSAGES=OFF
+PACKAGES := cmake libembree-dev libopenexr-dev libpng-dev pkg-config
+TEST_PACKAGES := $(PACKAGES) g++ binutils
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test clean rust
+
+help:
+	@echo "make demo           render the plate's three views into $(OUT)/"
+	@echo "make demo CHECK=1   and compare one sample per pixel with 256"
+	@echo "make demo ARGS=...  with the renderer's own options: ARGS=--help lists them"
+	@echo "make test           every check: Rust and C"
+	@echo "make clean          remove $(BUILD)/, $(OUT)/ and target/"
+
+demo: rust
+	@scripts/need $(PACKAGES)
+	@$(CONFIGURE)
+	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_render
+	@$(BUILD)/c_examples/renderer/striae_render --out $(OUT) $(if $(CHECK),--check) $(ARGS)
+
+test: rust
+	@scripts/need $(TEST_PACKAGES)
+	@BUILD='$(BUILD)' JOBS='$(JOBS)' CONFIGURE='$(CONFIGURE)' scripts/test
+
+clean:
+	rm -rf $(BUILD) $(OUT) target
+
+rust:
+	@command -v cargo >/dev/null || { echo "cargo is missing: install Rust first, https://rustup.rs" >&2; exit 1; }
