@@ -16,15 +16,20 @@ void film_free(Film *film) {
 
 static float *pixel(const Film *film, int x, int y) { return film->rgb[(size_t)y * (size_t)film->width + (size_t)x]; }
 
+static int clamp_int(int value, int most) { return value < 0 ? 0 : value > most ? most : value; }
+
 bool film_half(const Film *film, Film *half) {
-    const int width = film->width > 1 ? film->width / 2 : 1, height = film->height > 1 ? film->height / 2 : 1;
-    if (!film_init(half, width, height)) return false;
-    for (int y = 0; y < height; y++) {
-        for (int x = 0; x < width; x++) {
-            const int x0 = 2 * x, y0 = 2 * y, x1 = x0 + (film->width > 1), y1 = y0 + (film->height > 1);
-            for (int c = 0; c < 3; c++)
-                pixel(half, x, y)[c] = 0.25f * (pixel(film, x0, y0)[c] + pixel(film, x1, y0)[c] +
-                                                pixel(film, x0, y1)[c] + pixel(film, x1, y1)[c]);
+    /* Wider than the 2 x 2 pixels that become one, or thin bright lines would turn into dashes. */
+    static const float weight[4] = {0.125f, 0.375f, 0.375f, 0.125f};
+    if (!film_init(half, (film->width + 1) / 2, (film->height + 1) / 2)) return false;
+    for (int y = 0; y < half->height; y++) {
+        for (int x = 0; x < half->width; x++) {
+            for (int k = 0; k < 16; k++) {
+                const int from_x = clamp_int(2 * x - 1 + k % 4, film->width - 1);
+                const int from_y = clamp_int(2 * y - 1 + k / 4, film->height - 1);
+                for (int c = 0; c < 3; c++)
+                    pixel(half, x, y)[c] += weight[k % 4] * weight[k / 4] * pixel(film, from_x, from_y)[c];
+            }
         }
     }
     return true;

@@ -12,7 +12,7 @@ typedef struct Film {
 bool film_init(Film *film, int width, int height);
 void film_free(Film *film);
 
-/* The mean of every 2 x 2 pixels. */
+/* At half the width and height. */
 bool film_half(const Film *film, Film *half);
 
 /* Pictures of one size side by side, with gaps of `gutter` black pixels. */

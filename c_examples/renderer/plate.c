@@ -142,8 +142,8 @@ bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
        flash aside; then across them, steeply: even the weakest has a flank that throws it back; then across them
        and lower, from the other side: the weakest is no longer steep enough. */
     scene->views[0] = (View){"plate-1", -20.0, 66.0, 0.0, 14.0, 29.0};
-    scene->views[1] = (View){"plate-2", 94.0, 69.5, -66.0, 14.0, 29.0};
-    scene->views[2] = (View){"plate-3", -82.0, 66.0, 0.0, 14.0, 27.5};
+    scene->views[1] = (View){"plate-2", 84.0, 71.0, -72.0, 14.0, 29.5};
+    scene->views[2] = (View){"plate-3", -89.0, 65.0, -8.0, 14.0, 27.5};
     scene->view_count = 3;
 
     StriaePattern *pattern = NULL;
