@@ -5,7 +5,7 @@
 
 /* Tells the encoder where each of its channels lies among our interleaved red, green and blue. */
 static void point_channels(exr_encode_pipeline_t *encoder, const Film *film, int y) {
-    const float(*line)[3] = (const float(*)[3])(film->rgb + (size_t)y * (size_t)film->width);
+    const float (*line)[3] = (const float (*)[3])(film->rgb + (size_t)y * (size_t)film->width);
     for (int i = 0; i < encoder->channel_count; i++) {
         exr_coding_channel_info_t *channel = &encoder->channels[i];
         const char name = channel->channel_name[0];
@@ -27,7 +27,8 @@ static exr_result_t describe(exr_context_t file, const Film *film, int *part) {
 }
 
 /* One chunk of scan lines; the encoder is set up by the first and reused by the rest. */
-static exr_result_t write_chunk(exr_context_t file, int part, exr_encode_pipeline_t *encoder, const Film *film, int y) {
+static exr_result_t write_chunk(exr_context_t file, int part, exr_encode_pipeline_t *encoder, const Film *film,
+                                int y) {
     exr_chunk_info_t chunk;
     exr_result_t result = exr_write_scanline_chunk_info(file, part, y, &chunk);
     if (result != EXR_ERR_SUCCESS) return result;

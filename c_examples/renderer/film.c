@@ -14,7 +14,9 @@ void film_free(Film *film) {
     *film = (Film){0, 0, NULL};
 }
 
-static float *pixel(const Film *film, int x, int y) { return film->rgb[(size_t)y * (size_t)film->width + (size_t)x]; }
+static float *pixel(const Film *film, int x, int y) {
+    return film->rgb[(size_t)y * (size_t)film->width + (size_t)x];
+}
 
 static int clamp_int(int value, int most) { return value < 0 ? 0 : value > most ? most : value; }
 
@@ -40,7 +42,8 @@ bool film_side_by_side(const Film *films, size_t count, int gutter, Film *sheet)
     if (!film_init(sheet, (int)count * step - gutter, films[0].height)) return false;
     for (size_t i = 0; i < count; i++)
         for (int y = 0; y < films[i].height; y++)
-            memcpy(pixel(sheet, (int)i * step, y), pixel(&films[i], 0, y), (size_t)films[i].width * sizeof *sheet->rgb);
+            memcpy(pixel(sheet, (int)i * step, y), pixel(&films[i], 0, y),
+                   (size_t)films[i].width * sizeof *sheet->rgb);
     return true;
 }
 
@@ -51,5 +54,6 @@ static double film_curve(double x) { return fmin(1.0, x * (2.51 * x + 0.03) / (x
 static double srgb_curve(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055; }
 
 void film_tone(const float rgb[3], double exposure, unsigned char bytes[3]) {
-    for (int c = 0; c < 3; c++) bytes[c] = (unsigned char)(255.0 * srgb_curve(film_curve(exposure * (double)rgb[c])) + 0.5);
+    for (int c = 0; c < 3; c++)
+        bytes[c] = (unsigned char)(255.0 * srgb_curve(film_curve(exposure * (double)rgb[c])) + 0.5);
 }

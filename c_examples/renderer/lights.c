@@ -32,9 +32,11 @@ static void add_lamp(Lights *lights, const Lamp *lamp) {
 }
 
 /* Where a lamp stands: an azimuth from the camera's, an elevation, and a distance from the scene's target. */
-static Vec lamp_place(const Scene *scene, const Camera *camera, double azimuth_deg, double elevation_deg, double distance) {
+static Vec lamp_place(const Scene *scene, const Camera *camera, double azimuth_deg, double elevation_deg,
+                      double distance) {
     const Vec to_camera = vec_sub(camera->position, scene->target);
-    const double azimuth = atan2(to_camera.y, to_camera.x) + radians(azimuth_deg), elevation = radians(elevation_deg);
+    const double azimuth = atan2(to_camera.y, to_camera.x) + radians(azimuth_deg),
+                 elevation = radians(elevation_deg);
     const Vec direction = vec(cos(elevation) * cos(azimuth), cos(elevation) * sin(azimuth), sin(elevation));
     return vec_along(scene->target, distance, direction);
 }

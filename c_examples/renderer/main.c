@@ -34,7 +34,8 @@ static bool write_picture(const Film *film, const char *folder, const char *name
 static bool write_sheet(const Film *films, size_t count, const char *folder, double exposure) {
     Film full = {0}, half = {0};
     const bool made = film_side_by_side(films, count, SHEET_GUTTER, &full) && film_half(&full, &half);
-    const bool written = made ? write_picture(&half, folder, "contact-sheet", exposure) : complain("contact sheet", "out of memory");
+    const bool written =
+        made ? write_picture(&half, folder, "contact-sheet", exposure) : complain("contact sheet", "out of memory");
     film_free(&full);
     film_free(&half);
     return written;

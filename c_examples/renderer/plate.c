@@ -47,10 +47,9 @@ static StriaeStatus add_scratches(StriaePatternBuilder *builder, const StriaeToo
 
 /* The whole process: material, tool, five scratches. Everything but the pattern is let go of again. */
 static StriaeStatus scratch_pattern(StriaePattern **pattern) {
-    const StriaePatternOptions options = {
-        .struct_size = sizeof options,
-        .mm_per_scene_unit = MM_PER_UNIT,
-        .units_per_uv = {PLATE_MM[0] / MM_PER_UNIT, PLATE_MM[1] / MM_PER_UNIT}};
+    const StriaePatternOptions options = {.struct_size = sizeof options,
+                                          .mm_per_scene_unit = MM_PER_UNIT,
+                                          .units_per_uv = {PLATE_MM[0] / MM_PER_UNIT, PLATE_MM[1] / MM_PER_UNIT}};
     StriaeMaterial titanium = {.struct_size = sizeof titanium};
     StriaeTool *tool = NULL;
     StriaePatternBuilder *builder = NULL;
@@ -88,8 +87,9 @@ static Vec ring_corner(const Ring *ring, double sign_x, double sign_y) {
 }
 
 static void add_strip(Mesh *mesh, unsigned face, const Ring *inner, const Ring *outer, int side) {
-    static const double signs[4][2][2] = {{{1, -1}, {1, 1}}, {{1, 1}, {-1, 1}}, {{-1, 1}, {-1, -1}}, {{-1, -1}, {1, -1}}};
-    const double(*s)[2] = signs[side];
+    static const double signs[4][2][2] = {
+        {{1, -1}, {1, 1}}, {{1, 1}, {-1, 1}}, {{-1, 1}, {-1, -1}}, {{-1, -1}, {1, -1}}};
+    const double (*s)[2] = signs[side];
     const Vec corners[4] = {ring_corner(outer, s[0][0], s[0][1]), ring_corner(outer, s[1][0], s[1][1]),
                             ring_corner(inner, s[1][0], s[1][1]), ring_corner(inner, s[0][0], s[0][1])};
     double uv[4][2];
@@ -138,9 +138,9 @@ bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->target = vec(0.0, 0.0, PLATE_MM[2] / MM_PER_UNIT);
     scene->judged_face = FACE_TOP;
     scene->exposure = 1.3;
-    /* Camera and flash go round the plate together. First they look along the scratches, whose flanks throw the
-       flash aside; then across them, steeply: even the weakest has a flank that throws it back; then across them
-       and lower, from the other side: the weakest is no longer steep enough. */
+    /* Camera and flash go round the plate together. First they look along the scratches, which throw the flash
+       aside; then across them and from high up, so that even the weakest is steep enough to throw it back; then
+       from the other side and lower, where the weakest is not. */
     scene->views[0] = (View){"plate-1", -20.0, 66.0, 0.0, 14.0, 29.0};
     scene->views[1] = (View){"plate-2", 84.0, 71.0, -72.0, 14.0, 29.5};
     scene->views[2] = (View){"plate-3", -89.0, 65.0, -8.0, 14.0, 27.5};

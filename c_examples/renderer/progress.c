@@ -19,7 +19,8 @@ void progress_report(int done, int total, void *user) {
     const double now = seconds_now(), elapsed = now - progress->started;
     if (!progress->terminal || now - progress->shown < 0.1) return;
     progress->shown = now;
-    fprintf(stderr, "\r%-24s %3d %%, %.0f s left ", progress->title, 100 * done / total, elapsed * (total - done) / done);
+    fprintf(stderr, "\r%-24s %3d %%, %.0f s left ", progress->title, 100 * done / total,
+            elapsed * (total - done) / done);
     fflush(stderr);
 }
 

@@ -43,7 +43,8 @@ static void first_pass(const Tile *tile, void *user) {
     const Picture *picture = user;
     for (int y = tile->y0; y < tile->y1; y++)
         for (int x = tile->x0; x < tile->x1; x++)
-            picture->faces[pixel_index(picture, x, y)] = put_pixel(picture, x, y, picture->settings->samples_across);
+            picture->faces[pixel_index(picture, x, y)] =
+                put_pixel(picture, x, y, picture->settings->samples_across);
 }
 
 /* Whether a pixel near by shows another face: then an edge, or the thin shadow along one, may pass through. */
@@ -62,7 +63,8 @@ static void second_pass(const Tile *tile, void *user) {
     const int first = picture->settings->samples_across;
     for (int y = tile->y0; y < tile->y1; y++) {
         for (int x = tile->x0; x < tile->x1; x++) {
-            if (first < EDGE_SAMPLES_ACROSS && near_edge(picture, x, y)) put_pixel(picture, x, y, EDGE_SAMPLES_ACROSS);
+            if (first < EDGE_SAMPLES_ACROSS && near_edge(picture, x, y))
+                put_pixel(picture, x, y, EDGE_SAMPLES_ACROSS);
         }
     }
 }

@@ -7,12 +7,12 @@ enum { SCENE_MAX_MESHES = 8, SCENE_MAX_VIEWS = 8, SCENE_ERROR_SIZE = 512 };
 
 /* A camera on a sphere about the scene's target, the scene's "up" being +z. */
 typedef struct View {
-    const char *name;      /* of the pictures' files */
-    double heading_deg;    /* where the camera stands, counter-clockwise from +x seen from above */
-    double elevation_deg;  /* above the horizon */
-    double roll_deg;       /* how far the camera is turned about its axis, clockwise: the picture turns the other way */
-    double distance;       /* scene units */
-    double width_deg;      /* horizontal field of view */
+    const char *name;     /* of the pictures' files */
+    double heading_deg;   /* where the camera stands, counter-clockwise from +x seen from above */
+    double elevation_deg; /* above the horizon */
+    double roll_deg;      /* about the camera's axis, clockwise: the picture turns the other way */
+    double distance;      /* scene units */
+    double width_deg;     /* horizontal field of view */
 } View;
 
 typedef struct Scene {

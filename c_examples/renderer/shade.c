@@ -8,8 +8,8 @@ static StriaePoint striae_point(const Stage *stage, const Surface *surface, cons
     vec_to_floats(surface->dp_du, point.dp_du);
     vec_to_floats(surface->dp_dv, point.dp_dv);
     vec_to_floats(surface->normal, point.normal);
-    const bool projected = camera_footprint(&stage->camera, surface, sample->x, sample->y, sample->size,
-                                            point.duv_dx, point.duv_dy);
+    const bool projected =
+        camera_footprint(&stage->camera, surface, sample->x, sample->y, sample->size, point.duv_dx, point.duv_dy);
     point.footprint = projected ? STRIAE_FOOTPRINT_DIFFERENTIALS : STRIAE_FOOTPRINT_POINT;
     return point;
 }
@@ -20,8 +20,9 @@ static void to_local(const StriaeFrame *frame, Vec from, Vec to, float local[3])
     striae_frame_to_local(frame, world, local);
 }
 
-/* A scratched surface: one query for the viewer, then one evaluation for each light. Light that passes over
-   the surface is exact, scratches included; every patch of a lamp counts as a point at its middle. */
+/* A scratched surface: one query for the viewer, then one evaluation for each light. What shades the scratches
+   within themselves is in f; the shadow ray finds what stands between lamp and surface. A patch of a lamp counts as
+   a point at its middle. */
 static void shade_scratched(const Stage *stage, const Surface *surface, const Sample *sample, double radiance[3]) {
     const StriaePoint point = striae_point(stage, surface, sample);
     StriaeFrame frame;

@@ -38,10 +38,10 @@ static void occluded(RTCScene geometry, struct RTCRay *ray) {
 /* One geometry per mesh, its number in Embree being the mesh's. */
 static bool attach_mesh(Tracer *tracer, const Mesh *mesh, unsigned number) {
     RTCGeometry geometry = rtcNewGeometry(tracer->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    float(*vertices)[3] = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                  sizeof *vertices, mesh->vertex_count);
-    unsigned(*triangles)[3] = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                      sizeof *triangles, mesh->triangle_count);
+    float (*vertices)[3] = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                   sizeof *vertices, mesh->vertex_count);
+    unsigned (*triangles)[3] = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                       sizeof *triangles, mesh->triangle_count);
     if (vertices && triangles) {
         for (size_t i = 0; i < mesh->vertex_count; i++) vec_to_floats(mesh->positions[i], vertices[i]);
         for (size_t i = 0; i < mesh->triangle_count; i++)

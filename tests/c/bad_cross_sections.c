@@ -8,7 +8,8 @@
 
 static StriaeTool *cone;
 static StriaeMaterial titanium = {.struct_size = sizeof titanium};
-static const StriaeProcess good = {.struct_size = sizeof good, .depth_law = STRIAE_DEPTH_LAW_BOSCH2004, .force_kgf = 2.0};
+static const StriaeProcess good = {
+    .struct_size = sizeof good, .depth_law = STRIAE_DEPTH_LAW_BOSCH2004, .force_kgf = 2.0};
 
 static void expect_no_section(const StriaeTool *tool, const StriaeMaterial *material, const StriaeProcess *process,
                               const char *argument, const char *value) {
@@ -17,11 +18,11 @@ static void expect_no_section(const StriaeTool *tool, const StriaeMaterial *mate
     EXPECT(section == NULL);
 }
 
-#define EXPECT_BAD_PROCESS(field, bad, value)                                     \
-    do {                                                                          \
-        StriaeProcess process = good;                                             \
-        process.field = (bad);                                                    \
-        expect_no_section(cone, &titanium, &process, #field, value);              \
+#define EXPECT_BAD_PROCESS(field, bad, value)                                                                      \
+    do {                                                                                                           \
+        StriaeProcess process = good;                                                                              \
+        process.field = (bad);                                                                                     \
+        expect_no_section(cone, &titanium, &process, #field, value);                                               \
     } while (0)
 
 static void processes(void) {
@@ -93,7 +94,7 @@ static void reading(void) {
     StriaeCrossSectionInfo unsized = {.struct_size = 0};
     EXPECT_REFUSED(striae_cross_section_info(section, &unsized), "struct_size", "0");
 
-    double(*vertices)[2] = calloc(info.vertex_count, sizeof *vertices);
+    double (*vertices)[2] = calloc(info.vertex_count, sizeof *vertices);
     EXPECT_OK(striae_cross_section_vertices(section, vertices, info.vertex_count, &count));
     EXPECT(count == info.vertex_count);
     for (size_t i = 1; i < count; i++) EXPECT(vertices[i][0] >= vertices[i - 1][0]);

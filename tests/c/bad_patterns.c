@@ -7,8 +7,8 @@
 static Plate plate;
 static StriaePatternBuilder *builder;
 
-static void expect_no_builder(const StriaeMaterial *surface, const StriaePatternOptions *options, const char *argument,
-                              const char *value) {
+static void expect_no_builder(const StriaeMaterial *surface, const StriaePatternOptions *options,
+                              const char *argument, const char *value) {
     StriaePatternBuilder *out = (StriaePatternBuilder *)(void *)&plate;
     EXPECT_REFUSED(striae_pattern_builder_new(surface, options, &out), argument, value);
     EXPECT(out == NULL);
@@ -37,11 +37,11 @@ static void builders(void) {
     EXPECT_REFUSED(striae_pattern_builder_new(&plate.titanium, &plate.options, NULL), "builder", "NULL");
 }
 
-#define EXPECT_BAD_SCRATCH(field, bad, argument, value)                                          \
-    do {                                                                                         \
-        StriaeScratch scratch = plate.scratch;                                                   \
-        scratch.field = (bad);                                                                   \
-        EXPECT_REFUSED(striae_pattern_builder_add_scratch(builder, &scratch), argument, value);  \
+#define EXPECT_BAD_SCRATCH(field, bad, argument, value)                                                            \
+    do {                                                                                                           \
+        StriaeScratch scratch = plate.scratch;                                                                     \
+        scratch.field = (bad);                                                                                     \
+        EXPECT_REFUSED(striae_pattern_builder_add_scratch(builder, &scratch), argument, value);                    \
     } while (0)
 
 static void scratches(void) {

@@ -16,18 +16,19 @@ static void expect_usable(const StriaeShading *shading) {
     }
 }
 
-static void expect_refused_but_usable(const StriaePoint *point, const float view[3], const char *argument, const char *value) {
+static void expect_refused_but_usable(const StriaePoint *point, const float view[3], const char *argument,
+                                      const char *value) {
     StriaeShading shading;
     memset(&shading, 0xff, sizeof shading);
     EXPECT_REFUSED(striae_shade(pattern, point, view, &shading), argument, value);
     expect_usable(&shading);
 }
 
-#define EXPECT_BAD_POINT(change, argument, value)                      \
-    do {                                                               \
-        StriaePoint point = plate_point(0.5, 0.5, 0.2);                \
-        change;                                                        \
-        expect_refused_but_usable(&point, above, argument, value);     \
+#define EXPECT_BAD_POINT(change, argument, value)                                                                  \
+    do {                                                                                                           \
+        StriaePoint point = plate_point(0.5, 0.5, 0.2);                                                            \
+        change;                                                                                                    \
+        expect_refused_but_usable(&point, above, argument, value);                                                 \
     } while (0)
 
 static void footprints(void) {

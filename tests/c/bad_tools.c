@@ -6,11 +6,11 @@
 /* What an out-pointer held before the call; a failure must not leave it there. */
 #define STALE ((StriaeTool *)(void *)&expect_count)
 
-#define EXPECT_NO_TOOL(call, argument, value)                   \
-    do {                                                        \
-        StriaeTool *tool = STALE;                               \
-        EXPECT_REFUSED(call, argument, value);                  \
-        EXPECT(tool == NULL);                                   \
+#define EXPECT_NO_TOOL(call, argument, value)                                                                      \
+    do {                                                                                                           \
+        StriaeTool *tool = STALE;                                                                                  \
+        EXPECT_REFUSED(call, argument, value);                                                                     \
+        EXPECT(tool == NULL);                                                                                      \
     } while (0)
 
 static void cones(void) {
@@ -59,7 +59,8 @@ static void base_brdfs(void) {
     StriaeBrdf brdf, before;
     memset(&brdf, 7, sizeof brdf);
     before = brdf;
-    const float nan_albedo[3] = {0.5f, NAN, 0.5f}, negative[3] = {-0.25f, 0.5f, 0.5f}, bright[3] = {0.5f, 0.5f, 1.5f};
+    const float nan_albedo[3] = {0.5f, NAN, 0.5f}, negative[3] = {-0.25f, 0.5f, 0.5f},
+                bright[3] = {0.5f, 0.5f, 1.5f};
     const float infinite[3] = {0.5f, 0.5f, INFINITY}, grey[3] = {0.5f, 0.5f, 0.5f};
     EXPECT_REFUSED(striae_brdf_lambert(nan_albedo, &brdf), "albedo", "NaN");
     EXPECT_REFUSED(striae_brdf_lambert(negative, &brdf), "albedo", "-0.25");

@@ -15,17 +15,17 @@ bool dlopened_striae_open(const char *path) {
 }
 
 /* Defines a function that looks up its namesake once and passes on its arguments. */
-#define FORWARD(result, name, parameters, arguments)            \
-    result name parameters {                                    \
-        static result(*call) parameters;                        \
-        if (!call) *(void **)(&call) = dlsym(library, #name);   \
-        return call arguments;                                  \
+#define FORWARD(result, name, parameters, arguments)                                                               \
+    result name parameters {                                                                                       \
+        static result(*call) parameters;                                                                           \
+        if (!call) *(void **)(&call) = dlsym(library, #name);                                                      \
+        return call arguments;                                                                                     \
     }
-#define FORWARD_RELEASE(name, type)                             \
-    void name(type *object) {                                   \
-        static void (*call)(type *);                            \
-        if (!call) *(void **)(&call) = dlsym(library, #name);   \
-        call(object);                                           \
+#define FORWARD_RELEASE(name, type)                                                                                \
+    void name(type *object) {                                                                                      \
+        static void (*call)(type *);                                                                               \
+        if (!call) *(void **)(&call) = dlsym(library, #name);                                                      \
+        call(object);                                                                                              \
     }
 
 FORWARD(const char *, striae_last_error, (void), ())

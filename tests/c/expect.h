@@ -29,17 +29,18 @@ static inline void expect_refused_at(StriaeStatus status, const char *argument, 
     expect_count++;
     if (!good) {
         expect_failures++;
-        printf("%s:%d: %s\n    gave status %d and \"%s\"\n    expected INVALID_ARGUMENT and \"%s\", \"%s\", \"accepted\"\n",
+        printf("%s:%d: %s\n    gave status %d and \"%s\"\n    expected INVALID_ARGUMENT and \"%s\", \"%s\", "
+               "\"accepted\"\n",
                file, line, call, (int)status, text, argument, value);
     }
 }
 
 #define EXPECT(condition) expect_at((condition), #condition, __FILE__, __LINE__)
-#define EXPECT_OK(call)                                                                                     \
-    do {                                                                                                    \
-        const StriaeStatus status_ = (call);                                                                \
-        if (!expect_at(status_ == STRIAE_STATUS_OK, #call " to succeed", __FILE__, __LINE__))               \
-            printf("    it gave status %d and \"%s\"\n", (int)status_, striae_last_error());                \
+#define EXPECT_OK(call)                                                                                            \
+    do {                                                                                                           \
+        const StriaeStatus status_ = (call);                                                                       \
+        if (!expect_at(status_ == STRIAE_STATUS_OK, #call " to succeed", __FILE__, __LINE__))                      \
+            printf("    it gave status %d and \"%s\"\n", (int)status_, striae_last_error());                       \
     } while (0)
 #define EXPECT_REFUSED(call, argument, value) expect_refused_at((call), argument, value, #call, __FILE__, __LINE__)
 

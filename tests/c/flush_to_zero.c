@@ -37,7 +37,9 @@ static void shade_all(const StriaePattern *pattern, double length, float values[
     for (int p = 0; p < POINTS; p++) {
         const double side_mm = pow(10.0, -4.0 + p % 6);
         StriaePoint point = plate_point(0.1 + 0.05 * (p / 6), 0.5 + 0.0004 * (p % 5), side_mm);
-        point.footprint = p % 4 == 3 ? STRIAE_FOOTPRINT_POINT : p % 4 == 2 ? STRIAE_FOOTPRINT_RADIUS : STRIAE_FOOTPRINT_DIFFERENTIALS;
+        point.footprint = p % 4 == 3   ? STRIAE_FOOTPRINT_POINT
+                          : p % 4 == 2 ? STRIAE_FOOTPRINT_RADIUS
+                                       : STRIAE_FOOTPRINT_DIFFERENTIALS;
         point.normal[2] = (float)length;
         for (int v = 0; v < VIEWS; v++) {
             float view[3];

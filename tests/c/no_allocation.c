@@ -71,7 +71,8 @@ static void shade_in_fresh_thread(Shaded *shaded) {
 }
 
 static void expect_no_allocation(const Shaded *shaded) {
-    printf("  %zu points on the plate, %zu lit, %zu allocations\n", shaded->on_plate, shaded->lit, shaded->allocations);
+    printf("  %zu points on the plate, %zu lit, %zu allocations\n", shaded->on_plate, shaded->lit,
+           shaded->allocations);
     EXPECT(shaded->on_plate > WIDTH * HEIGHT / 10);
     EXPECT(shaded->lit == shaded->on_plate);
     EXPECT(shaded->allocations == 0);

@@ -14,17 +14,18 @@ typedef struct Plate {
 
 /* Fills `plate` in place: the scratch points into it. */
 static inline void plate_init(Plate *plate) {
-    *plate = (Plate){.titanium = {.struct_size = sizeof plate->titanium},
-                     .options = {.struct_size = sizeof plate->options, .mm_per_scene_unit = 1.0, .units_per_uv = {60.0, 40.0}},
-                     .path_uv = {{0.1, 0.5}, {0.9, 0.5}},
-                     .keys = {{.at = 0.0, .force_kgf = 4.0}, {.at = 1.0, .force_kgf = 1.0}}};
+    *plate = (Plate){
+        .titanium = {.struct_size = sizeof plate->titanium},
+        .options = {.struct_size = sizeof plate->options, .mm_per_scene_unit = 1.0, .units_per_uv = {60.0, 40.0}},
+        .path_uv = {{0.1, 0.5}, {0.9, 0.5}},
+        .keys = {{.at = 0.0, .force_kgf = 4.0}, {.at = 1.0, .force_kgf = 1.0}}};
     EXPECT_OK(striae_tool_preset(STRIAE_TOOL_PRESET_ROCKWELL_C, &plate->tool));
     EXPECT_OK(striae_material_metal(STRIAE_METAL_TITANIUM, &plate->titanium));
     plate->scratch = (StriaeScratch){.struct_size = sizeof plate->scratch,
                                      .tool = plate->tool,
                                      .curve = STRIAE_CURVE_POLYLINE,
                                      .depth_law = STRIAE_DEPTH_LAW_BOSCH2004,
-                                     .points_uv = (const double(*)[2])plate->path_uv,
+                                     .points_uv = (const double (*)[2])plate->path_uv,
                                      .point_count = 2,
                                      .keys = plate->keys,
                                      .key_count = 2};
