@@ -61,8 +61,8 @@ Lights lights_for_view(const Scene *scene, const Camera *camera) {
                            .towards = scene->target,
                            .width = 0.9 * distance,
                            .height = 0.6 * distance,
-                           .columns = 6,
-                           .rows = 4,
+                           .columns = 5,
+                           .rows = 3,
                            .radiance = {0.15, 0.18, 0.23},
                            .fade = 0.1};
     add_lamp(&lights, &soft_box);

@@ -53,7 +53,7 @@ static double next_random(uint32_t *state) {
 
 /* A matte surface, for what lies about: each lamp's patches are met at random points, for soft shadows. */
 static void shade_matte(const Stage *stage, const Surface *surface, const Sample *sample, double radiance[3]) {
-    enum { POINTS_PER_PATCH = 2 };
+    enum { POINTS_PER_PATCH = 1 };
     uint32_t random = (uint32_t)(sample->x * 4096.0) * 73856093u ^ (uint32_t)(sample->y * 4096.0) * 19349663u;
     for (size_t i = 0; i < stage->lights.count * POINTS_PER_PATCH; i++) {
         const Patch *patch = &stage->lights.patches[i / POINTS_PER_PATCH];
