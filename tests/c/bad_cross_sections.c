@@ -45,9 +45,9 @@ static void processes(void) {
 
 static void hardness(void) {
     protects("absurd hardness is refused");
-    const double bad[] = {NAN, INFINITY, 0.0, -150.0};
-    const char *const text[] = {"NaN", "inf", "0", "-150"};
-    for (int i = 0; i < 4; i++) {
+    const double bad[] = {NAN, INFINITY, 0.0, -150.0, 1e9};
+    const char *const text[] = {"NaN", "inf", "0", "-150", "1000000000"};
+    for (int i = 0; i < 5; i++) {
         StriaeMaterial material = titanium;
         material.hardness_hv = bad[i];
         expect_no_section(cone, &material, &good, "hardness_hv", text[i]);

@@ -10,7 +10,7 @@ function(renderer_test name exit_code output)
   striae_test_settings(renderer_${name})
 endfunction()
 
-renderer_test(check 0 "worst view: RMS [0-9.]+ %" --check --width 192 --height 108 --out "'${pictures}'")
+renderer_test(check 0 "worst view: RMS [0-9.]+ %" --check --width 128 --height 72 --out "'${pictures}'")
 renderer_test(many_samples 0 "contact-sheet.png" --spp 16 --width 96 --height 54 --threads 1 --out "'${pictures}-16'")
 renderer_test(help 0 "--width N" --help)
 renderer_test(bad_width 2 "--width is \"12x\"; accepted: a whole number from 16 to 8192" --width 12x)
