@@ -78,9 +78,41 @@ typedef enum StriaeToolPreset {
    */
   STRIAE_TOOL_PRESET_NAIL = 2,
   /**
-   * A slotted screwdriver: an edge 1 mm wide across the travel, faces 60 degrees apart.
+   * A slotted screwdriver, blade 0.8 x 4 mm (ISO 2380-1), its edge across the travel.
    */
   STRIAE_TOOL_PRESET_SCREWDRIVER = 3,
+  /**
+   * A three-sided pyramid, faces at 65.27 degrees to the axis (ISO 14577-2).
+   */
+  STRIAE_TOOL_PRESET_BERKOVICH = 4,
+  /**
+   * A carbide scriber: a 30 degree point, sharp to 0.05 mm.
+   */
+  STRIAE_TOOL_PRESET_SCRIBER = 5,
+  /**
+   * A square graver: a 90 degree keel on a 2.4 mm bar.
+   */
+  STRIAE_TOOL_PRESET_SQUARE_GRAVER = 6,
+  /**
+   * A round graver no. 53: a keel 0.6 mm wide, half a circle.
+   */
+  STRIAE_TOOL_PRESET_ROUND_GRAVER = 7,
+  /**
+   * A flat graver no. 38: an edge 0.6 mm wide.
+   */
+  STRIAE_TOOL_PRESET_FLAT_GRAVER = 8,
+  /**
+   * A sewing needle's point: 20 degrees in all, tip radius 0.02 mm.
+   */
+  STRIAE_TOOL_PRESET_NEEDLE = 9,
+  /**
+   * The worn corner of a house key: 90 degrees, tip radius 0.15 mm.
+   */
+  STRIAE_TOOL_PRESET_KEY = 10,
+  /**
+   * A corner of an abrasive grain, FEPA P120: 0.125 mm across, sharp.
+   */
+  STRIAE_TOOL_PRESET_ABRASIVE_GRAIN = 11,
 } StriaeToolPreset;
 
 /**
@@ -131,6 +163,30 @@ typedef enum StriaeMetal {
    * Titanium, grade 2, 145 HV.
    */
   STRIAE_METAL_TITANIUM = 3,
+  /**
+   * 37.6 HV.
+   */
+  STRIAE_METAL_COPPER = 4,
+  /**
+   * 22 HV.
+   */
+  STRIAE_METAL_GOLD = 5,
+  /**
+   * 25.6 HV.
+   */
+  STRIAE_METAL_SILVER = 6,
+  /**
+   * 62 HV.
+   */
+  STRIAE_METAL_IRON = 7,
+  /**
+   * 65 HV.
+   */
+  STRIAE_METAL_NICKEL = 8,
+  /**
+   * 108 HV.
+   */
+  STRIAE_METAL_CHROMIUM = 9,
 } StriaeMetal;
 
 /**
@@ -146,6 +202,10 @@ typedef enum StriaeDepthLaw {
    * Scratch hardness (ASTM G171): the groove is sqrt(8 F / (pi HV)) wide between its two crests. Any tool.
    */
   STRIAE_DEPTH_LAW_SCRATCH_HARDNESS = 1,
+  /**
+   * The depth is stated, whatever the force.
+   */
+  STRIAE_DEPTH_LAW_STATED = 2,
 } StriaeDepthLaw;
 
 /**
@@ -181,9 +241,82 @@ typedef enum StriaeFootprint {
 } StriaeFootprint;
 
 /**
+ * What a scratch's spin and azimuth are relative to.
+ */
+typedef enum StriaeHeld {
+  /**
+   * The direction of travel: the hand turns with the path. Azimuth 0 leans forward, 90 to the left.
+   */
+  STRIAE_HELD_TO_PATH = 0,
+  /**
+   * The surface: the hand does not turn while the path does. Azimuth 0 leans towards u, 90 towards v.
+   */
+  STRIAE_HELD_TO_SURFACE = 1,
+} StriaeHeld;
+
+/**
+ * How steep the outer flanks of piled-up material are.
+ */
+typedef enum StriaePileUpLaw {
+  /**
+   * tan beta = -0.56 + 2.54 tan alpha (Bosch et al. 2004), at least a quarter of tan alpha.
+   */
+  STRIAE_PILE_UP_LAW_BOSCH2004 = 0,
+  /**
+   * tan beta = outer_slope.
+   */
+  STRIAE_PILE_UP_LAW_OUTER_SLOPE = 1,
+  /**
+   * No peaks at all.
+   */
+  STRIAE_PILE_UP_LAW_NONE = 2,
+} StriaePileUpLaw;
+
+/**
+ * Materials by name that are no metals.
+ */
+typedef enum StriaeMaterialPreset {
+  /**
+   * Acrylic glass (PMMA), opaque grey, 20 HV: springs back.
+   */
+  STRIAE_MATERIAL_PRESET_ACRYLIC = 0,
+  /**
+   * Soda-lime glass over a dark ground, 550 HV: brittle, little pile-up, springs back by a third.
+   */
+  STRIAE_MATERIAL_PRESET_GLASS = 1,
+  /**
+   * Alumina, white, 1500 HV: brittle, little pile-up.
+   */
+  STRIAE_MATERIAL_PRESET_CERAMIC = 2,
+} StriaeMaterialPreset;
+
+/**
+ * A measure of a scratch that its author wants.
+ */
+typedef enum StriaeWanted {
+  /**
+   * Depth of the groove below the surface.
+   */
+  STRIAE_WANTED_DEPTH = 0,
+  /**
+   * Width of the groove at the surface.
+   */
+  STRIAE_WANTED_GROOVE_WIDTH = 1,
+  /**
+   * Width between the two crests.
+   */
+  STRIAE_WANTED_CREST_WIDTH = 2,
+} StriaeWanted;
+
+/**
  * A scratch's cross-section. Immutable; any thread may use it; reference-counted.
  */
 typedef struct StriaeCrossSection StriaeCrossSection;
+
+/**
+ * Hardness that varies over a surface. Immutable; any thread may use it; reference-counted.
+ */
+typedef struct StriaeHardnessMap StriaeHardnessMap;
 
 /**
  * A surface with its scratches. Immutable; any thread may use it; reference-counted.
@@ -235,6 +368,20 @@ typedef struct StriaeBrdf {
 } StriaeBrdf;
 
 /**
+ * A layer on top of a material's bulk, such as paint. It changes how a scratch looks, not how deep it is.
+ */
+typedef struct StriaeLayer {
+  /**
+   * Thickness, mm, 1e-6 to 1000.
+   */
+  double thickness_mm;
+  /**
+   * How a scratch's zones reflect where they lie in this layer.
+   */
+  struct StriaeBrdf scratched;
+} StriaeLayer;
+
+/**
  * What is scratched. Set struct_size to sizeof(StriaeMaterial) first.
  */
 typedef struct StriaeMaterial {
@@ -243,17 +390,41 @@ typedef struct StriaeMaterial {
    */
   size_t struct_size;
   /**
-   * Vickers hardness, kgf/mm², 0.01 to 20000.
+   * Vickers hardness (scratch hardness for STRIAE_DEPTH_LAW_SCRATCH_HARDNESS), kgf/mm², 0.01 to 20000.
    */
   double hardness_hv;
+  /**
+   * A StriaePileUpLaw.
+   */
+  uint32_t pile_up_law;
+  /**
+   * tan beta for STRIAE_PILE_UP_LAW_OUTER_SLOPE, 0.001 to 11.4.
+   */
+  double outer_slope;
+  /**
+   * Area of both peaks over the area of the groove, 0 to 1 (nothing is lost).
+   */
+  double pile_up_fraction;
+  /**
+   * Share of the depth that springs back behind the tool, 0 to 0.95.
+   */
+  double elastic_recovery;
   /**
    * How the unscratched surface reflects.
    */
   struct StriaeBrdf surface;
   /**
-   * How a scratch's zones reflect.
+   * How a scratch's zones reflect where it reaches the bulk of the material.
    */
   struct StriaeBrdf scratched;
+  /**
+   * Layers from the surface down; NULL for none. Read while the material is used in a call, not kept.
+   */
+  const struct StriaeLayer *layers;
+  /**
+   * How many layers, 4 at most.
+   */
+  size_t layer_count;
 } StriaeMaterial;
 
 /**
@@ -272,6 +443,10 @@ typedef struct StriaeProcess {
    * Normal force, kgf, 0 to 100000.
    */
   double force_kgf;
+  /**
+   * Depth under load, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
+   */
+  double depth_mm;
   /**
    * Spin about the tool's own axis, counter-clockwise from above, degrees.
    */
@@ -351,6 +526,20 @@ typedef struct StriaeCrossSectionInfo {
 } StriaeCrossSectionInfo;
 
 /**
+ * One indentation: where it was made and what it gave.
+ */
+typedef struct StriaeReading {
+  /**
+   * Texture coordinates, -1e9 to 1e9.
+   */
+  double uv[2];
+  /**
+   * Vickers hardness, kgf/mm², 0.01 to 20000.
+   */
+  double hardness_hv;
+} StriaeReading;
+
+/**
  * Scale of a pattern. Set struct_size to sizeof(StriaePatternOptions).
  */
 typedef struct StriaePatternOptions {
@@ -382,6 +571,10 @@ typedef struct StriaeKey {
    */
   double force_kgf;
   /**
+   * Depth under load, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
+   */
+  double depth_mm;
+  /**
    * Spin about the tool's own axis, counter-clockwise from above, degrees.
    */
   double spin_deg;
@@ -390,7 +583,7 @@ typedef struct StriaeKey {
    */
   double tilt_deg;
   /**
-   * Where the axis leans to, relative to the travel: 0 = forward, 90 = left, degrees.
+   * Where the axis leans to, degrees.
    */
   double azimuth_deg;
 } StriaeKey;
@@ -419,6 +612,10 @@ typedef struct StriaeScratch {
    * A StriaeDepthLaw.
    */
   uint32_t depth_law;
+  /**
+   * A StriaeHeld.
+   */
+  uint32_t held;
   /**
    * The path's points in texture space, (u, v) each.
    */
@@ -603,18 +800,40 @@ enum StriaeStatus striae_brdf_lambert(const float albedo[3], struct StriaeBrdf *
 enum StriaeStatus striae_brdf_metal(uint32_t metal, float alpha, struct StriaeBrdf *brdf);
 
 /**
- * Fills in a metal: its hardness, a satin surface (GGX alpha 0.3) and smoother scratches (0.15).
+ * Fills in a metal: its hardness, a satin surface (GGX alpha 0.3) and smoother scratches (0.15), flowing as the
+ * metals of Bosch et al. 2004 do: nothing is lost, nothing springs back. No layers.
  *
  * @param metal a StriaeMetal
  * @param material with struct_size set; the rest is written on success only
  */
-enum StriaeStatus striae_material_metal(uint32_t metal, struct StriaeMaterial *material);
+enum StriaeStatus striae_material_metal(uint32_t metal,
+                                        struct StriaeMaterial *material);
+
+/**
+ * Fills in a material by name. No layers.
+ *
+ * @param preset a StriaeMaterialPreset
+ * @param material with struct_size set; the rest is written on success only
+ */
+enum StriaeStatus striae_material_preset(uint32_t preset, struct StriaeMaterial *material);
+
+/**
+ * Sets a material's pile-up fraction and elastic recovery from its plasticity, by a fit to finite-element
+ * scratches (yield strain 5e-4 to 0.01, hardening 0.1 to 0.5).
+ *
+ * @param yield_strain yield stress over Young's modulus, 1e-4 to 0.1
+ * @param hardening strain-hardening exponent, 0 to 0.6
+ * @param material a filled-in material; its pile-up law counts; two fields are written, on success only
+ */
+enum StriaeStatus striae_material_set_plasticity(double yield_strain,
+                                                 double hardening,
+                                                 struct StriaeMaterial *material);
 
 /**
  * Forms the cross-section that a tool, held and pressed so, leaves in a material.
  *
  * @param tool the tool
- * @param material its hardness counts
+ * @param material its hardness, pile-up and recovery count
  * @param process how the tool is held and pressed
  * @param cross_section receives a handle to release with striae_cross_section_release(); NULL on failure
  */
@@ -622,6 +841,22 @@ enum StriaeStatus striae_cross_section(const struct StriaeTool *tool,
                                        const struct StriaeMaterial *material,
                                        const struct StriaeProcess *process,
                                        struct StriaeCrossSection **cross_section);
+
+/**
+ * Finds the process that leaves a scratch of a wanted size: the exact inverse of striae_cross_section().
+ *
+ * @param tool the tool
+ * @param material the material
+ * @param wanted a StriaeWanted
+ * @param value_mm how much of it, 1e-9 to 1000
+ * @param process with struct_size, depth_law and angles set; its force_kgf (0 under STRIAE_DEPTH_LAW_STATED) and
+ *     depth_mm are written, on success only
+ */
+enum StriaeStatus striae_process_for(const struct StriaeTool *tool,
+                                     const struct StriaeMaterial *material,
+                                     uint32_t wanted,
+                                     double value_mm,
+                                     struct StriaeProcess *process);
 
 /**
  * Measures a cross-section.
@@ -656,6 +891,44 @@ void striae_cross_section_retain(const struct StriaeCrossSection *cross_section)
 void striae_cross_section_release(const struct StriaeCrossSection *cross_section);
 
 /**
+ * Makes a hardness map from a texture over u and v from 0 to 1: bilinear between texel centres, clamped beyond.
+ *
+ * @param values width times height values, row by row, the first row at v = 1 (as images are stored)
+ * @param width texels in a row
+ * @param height rows
+ * @param from_hv hardness that a value of 0 means, 0.01 to 20000
+ * @param to_hv hardness that a value of 1 means, 0.01 to 20000; every value must lead into that range
+ * @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
+ */
+enum StriaeStatus striae_hardness_map_texture(const float *values,
+                                              size_t width,
+                                              size_t height,
+                                              double from_hv,
+                                              double to_hv,
+                                              struct StriaeHardnessMap **map);
+
+/**
+ * Makes a hardness map from indentation readings: natural-neighbour interpolation, clamped outside their hull.
+ *
+ * @param readings one or more, anywhere; of several at the same place the last counts
+ * @param reading_count how many
+ * @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
+ */
+enum StriaeStatus striae_hardness_map_readings(const struct StriaeReading *readings,
+                                               size_t reading_count,
+                                               struct StriaeHardnessMap **map);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_hardness_map_retain(const struct StriaeHardnessMap *map);
+
+/**
+ * Drops a reference; the last one frees the map. NULL is fine.
+ */
+void striae_hardness_map_release(const struct StriaeHardnessMap *map);
+
+/**
  * Begins a pattern on an unscratched surface.
  *
  * @param surface the surface's material
@@ -665,6 +938,16 @@ void striae_cross_section_release(const struct StriaeCrossSection *cross_section
 enum StriaeStatus striae_pattern_builder_new(const struct StriaeMaterial *surface,
                                              const struct StriaePatternOptions *options,
                                              struct StriaePatternBuilder **builder);
+
+/**
+ * Lets the surface's hardness vary: scratches added from now on meet the map along their way instead of the
+ * material's own hardness. Scratches with a material of their own keep that one's.
+ *
+ * @param builder the builder; keeps a copy
+ * @param map the map
+ */
+enum StriaeStatus striae_pattern_builder_set_hardness(struct StriaePatternBuilder *builder,
+                                                      const struct StriaeHardnessMap *map);
 
 /**
  * Adds a scratch. Everything is copied; if it is refused, the builder is as it was.

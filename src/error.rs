@@ -20,6 +20,7 @@ pub struct Error {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Given {
     Number(f64),
+    Count(usize),
     Text(&'static str),
 }
 
@@ -40,6 +41,16 @@ impl Error {
             item: None,
             argument,
             given: Given::Number(given),
+            accepted: Accepted::Text(accepted),
+        }
+    }
+
+    /// There were `given` of something.
+    pub const fn count(argument: &'static str, given: usize, accepted: &'static str) -> Self {
+        Self {
+            item: None,
+            argument,
+            given: Given::Count(given),
             accepted: Accepted::Text(accepted),
         }
     }
@@ -77,6 +88,7 @@ impl fmt::Display for Error {
         write!(f, "{} is ", self.argument)?;
         match self.given {
             Given::Number(value) => write!(f, "{value}")?,
+            Given::Count(count) => write!(f, "{count}")?,
             Given::Text(text) => write!(f, "{text}")?,
         }
         match self.accepted {
@@ -101,6 +113,17 @@ pub(crate) fn in_range(argument: &'static str, value: f64, from: f64, to: f64) -
         given: Given::Number(value),
         accepted: Accepted::Range(from, to),
     })
+}
+
+/// Nothing if all `values` are finite, else an error that names `argument` and the first that is not.
+pub(crate) fn all_finite(argument: &'static str, values: &[f32]) -> Result<()> {
+    match values.iter().find(|value| !value.is_finite()) {
+        Some(&value) => {
+            let accepted = "finite numbers only";
+            Err(Error::number(argument, f64::from(value), accepted))
+        }
+        None => Ok(()),
+    }
 }
 
 /// As [`in_range`], for each of three channels.

@@ -11,6 +11,7 @@ fn header_is_fresh() {
         "tool",
         "material",
         "cross_section",
+        "hardness",
         "pattern",
         "shading",
     ];

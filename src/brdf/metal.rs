@@ -2,28 +2,62 @@
 
 /// A metal whose optical constants and hardness are known.
 ///
-/// Optical constants are sampled at 650, 550 and 450 nm for red, green and blue: aluminium from Rakic 1995,
-/// brass from Querry 1985, steel (as iron) and titanium from Johnson and Christy 1974.
+/// Optical constants are read off measured tables at 650, 550 and 450 nm for red, green and blue: aluminium from
+/// Rakic 1995 (Appl. Opt. 34), brass (70 Cu 30 Zn) from Querry 1985 (CRDC-CR-85034), copper, gold and silver
+/// from Johnson and Christy 1972 (Phys. Rev. B 6), the others from Johnson and Christy 1974 (Phys. Rev. B 9).
+/// Hardness of the elements is Samsonov's (Handbook of the Physicochemical Properties of the Elements, 1968), of
+/// the alloys and of titanium that of their data sheets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metal {
     /// Aluminium alloy 6061-T6, 107 HV.
     Aluminium,
     /// Cartridge brass, half hard, 120 HV.
     Brass,
-    /// Low-carbon steel AISI 1018, cold drawn, 131 HV.
+    /// Low-carbon steel AISI 1018, cold drawn, 131 HV; reflects like iron.
     Steel,
     /// Commercially pure titanium, grade 2, 145 HV.
     Titanium,
+    /// Copper, 37.6 HV.
+    Copper,
+    /// Gold, 22 HV.
+    Gold,
+    /// Silver, 25.6 HV.
+    Silver,
+    /// Iron, 62 HV.
+    Iron,
+    /// Nickel, 65 HV.
+    Nickel,
+    /// Chromium, 108 HV.
+    Chromium,
 }
 
 impl Metal {
+    /// All metals, in the order of their numbers on the C face.
+    pub const ALL: [Self; 10] = [
+        Self::Aluminium,
+        Self::Brass,
+        Self::Steel,
+        Self::Titanium,
+        Self::Copper,
+        Self::Gold,
+        Self::Silver,
+        Self::Iron,
+        Self::Nickel,
+        Self::Chromium,
+    ];
+
     /// Complex index of refraction per channel: (eta, k).
     pub fn eta_k(self) -> ([f32; 3], [f32; 3]) {
         match self {
-            Self::Aluminium => ([1.3456, 0.96521, 0.61722], [7.4746, 6.3995, 5.3031]),
+            Self::Aluminium => ([1.558, 1.015, 0.633], [7.712, 6.627, 5.454]),
             Self::Brass => ([0.444, 0.527, 1.094], [3.695, 2.765, 1.829]),
-            Self::Steel => ([2.9114, 2.9497, 2.5845], [3.0893, 2.9318, 2.7670]),
-            Self::Titanium => ([2.7407, 2.5418, 2.2370], [3.8143, 3.4345, 3.0235]),
+            Self::Steel | Self::Iron => ([2.911, 2.950, 2.584], [3.089, 2.932, 2.767]),
+            Self::Titanium => ([2.741, 2.542, 2.267], [3.814, 3.435, 3.038]),
+            Self::Copper => ([0.238, 1.007, 1.240], [3.626, 2.582, 2.393]),
+            Self::Gold => ([0.156, 0.424, 1.383], [3.602, 2.472, 1.915]),
+            Self::Silver => ([0.052, 0.060, 0.040], [4.409, 3.597, 2.648]),
+            Self::Nickel => ([1.990, 1.921, 1.729], [4.209, 3.616, 2.944]),
+            Self::Chromium => ([3.107, 3.181, 2.323], [3.331, 3.329, 3.135]),
         }
     }
 
@@ -34,6 +68,12 @@ impl Metal {
             Self::Brass => 120.0,
             Self::Steel => 131.0,
             Self::Titanium => 145.0,
+            Self::Copper => 37.6,
+            Self::Gold => 22.0,
+            Self::Silver => 25.6,
+            Self::Iron => 62.0,
+            Self::Nickel => 65.0,
+            Self::Chromium => 108.0,
         }
     }
 }

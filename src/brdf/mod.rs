@@ -12,7 +12,7 @@ pub use fresnel::Fresnel;
 pub use metal::Metal;
 
 use crate::error::{Result, in_range, rgb_in_range};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// A base BRDF.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +52,18 @@ impl Pair {
             light,
             half,
             view_half: view.dot(half).clamp(0.0, 1.0),
+        }
+    }
+
+    /// The same pair in the frame (across, along, up) of a scratch.
+    pub(crate) fn turned(&self, across: Vec2) -> Self {
+        let along = Vec2::new(-across.y, across.x);
+        let turn = |w: Vec3| Vec3::new(w.truncate().dot(across), w.truncate().dot(along), w.z);
+        Self {
+            view: turn(self.view),
+            light: turn(self.light),
+            half: turn(self.half),
+            view_half: self.view_half,
         }
     }
 }
@@ -103,7 +115,7 @@ mod tests {
         for alpha in [0.1, 0.5, 1.0] {
             let finish = Finish::new(&Brdf::Ggx { alpha, fresnel });
             let view = Vec3::new(0.6, 0.0, 0.8);
-            let (rings, spokes) = (2000, 400);
+            let (rings, spokes) = (600, 180);
             let mut albedo = 0.0_f64;
             for i in 0..rings {
                 let z = (i as f32 + 0.5) / rings as f32;

@@ -5,7 +5,7 @@ use super::material::StriaeMaterial;
 use super::status::{StriaeStatus, check_struct_size, guard};
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
-use crate::formation::{CrossSection, DepthLaw, Orientation, Peak, Process};
+use crate::formation::{CrossSection, DepthLaw, Orientation, Peak, Process, Wanted};
 
 /// Laws that give a groove's depth.
 #[repr(C)]
@@ -16,6 +16,20 @@ pub enum StriaeDepthLaw {
     Bosch2004 = 0,
     /// Scratch hardness (ASTM G171): the groove is sqrt(8 F / (pi HV)) wide between its two crests. Any tool.
     ScratchHardness = 1,
+    /// The depth is stated, whatever the force.
+    Stated = 2,
+}
+
+/// A measure of a scratch that its author wants.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub enum StriaeWanted {
+    /// Depth of the groove below the surface.
+    Depth = 0,
+    /// Width of the groove at the surface.
+    GrooveWidth = 1,
+    /// Width between the two crests.
+    CrestWidth = 2,
 }
 
 /// How a tool is held and pressed. Set struct_size to sizeof(StriaeProcess).
@@ -28,6 +42,8 @@ pub struct StriaeProcess {
     pub depth_law: u32,
     /// Normal force, kgf, 0 to 100000.
     pub force_kgf: f64,
+    /// Depth under load, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
+    pub depth_mm: f64,
     /// Spin about the tool's own axis, counter-clockwise from above, degrees.
     pub spin_deg: f64,
     /// Angle between the tool's axis and the surface normal, degrees, 0 to 85.
@@ -101,10 +117,11 @@ pub(super) fn depth_law(number: u32) -> Result<DepthLaw> {
     match number {
         0 => Ok(DepthLaw::Bosch2004),
         1 => Ok(DepthLaw::ScratchHardness),
+        2 => Ok(DepthLaw::Stated),
         other => Err(Error::number(
             "depth_law",
             f64::from(other),
-            "a StriaeDepthLaw, 0 to 1",
+            "a StriaeDepthLaw, 0 to 2",
         )),
     }
 }
@@ -115,6 +132,7 @@ impl StriaeProcess {
         Ok(Process {
             depth_law: depth_law(self.depth_law)?,
             force_kgf: self.force_kgf,
+            depth_mm: self.depth_mm,
             orientation: Orientation {
                 spin_deg: self.spin_deg,
                 tilt_deg: self.tilt_deg,
@@ -127,7 +145,7 @@ impl StriaeProcess {
 /// Forms the cross-section that a tool, held and pressed so, leaves in a material.
 ///
 /// @param tool the tool
-/// @param material its hardness counts
+/// @param material its hardness, pile-up and recovery count
 /// @param process how the tool is held and pressed
 /// @param cross_section receives a handle to release with striae_cross_section_release(); NULL on failure
 #[unsafe(no_mangle)]
@@ -146,11 +164,59 @@ pub unsafe extern "C" fn striae_cross_section(
                 borrowed("process", process)?,
             )
         };
-        let hardness_hv = material.checked()?.hardness_hv;
-        CrossSection::form(&tool.0, &process.checked()?, hardness_hv).map(StriaeCrossSection)
+        // SAFETY: the material's layers are NULL or valid, as the header asks.
+        let material = unsafe { material.checked()? };
+        CrossSection::form(&tool.0, &process.checked()?, &material).map(StriaeCrossSection)
     };
     // SAFETY: NULL or writable, as the header asks.
     guard(|| unsafe { make_shared("cross_section", cross_section, make) })
+}
+
+/// Finds the process that leaves a scratch of a wanted size: the exact inverse of striae_cross_section().
+///
+/// @param tool the tool
+/// @param material the material
+/// @param wanted a StriaeWanted
+/// @param value_mm how much of it, 1e-9 to 1000
+/// @param process with struct_size, depth_law and angles set; its force_kgf (0 under STRIAE_DEPTH_LAW_STATED) and
+///     depth_mm are written, on success only
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_process_for(
+    tool: *const StriaeTool,
+    material: *const StriaeMaterial,
+    wanted: u32,
+    value_mm: f64,
+    process: *mut StriaeProcess,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (tool, material, process) = unsafe {
+            (
+                borrowed("tool", tool)?,
+                borrowed("material", material)?,
+                exclusive("process", process)?,
+            )
+        };
+        let wanted = match wanted {
+            0 => Wanted::Depth(value_mm),
+            1 => Wanted::GrooveWidth(value_mm),
+            2 => Wanted::CrestWidth(value_mm),
+            other => {
+                let accepted = "a StriaeWanted, 0 to 2";
+                return Err(Error::number("wanted", f64::from(other), accepted));
+            }
+        };
+        // SAFETY: the material's layers are NULL or valid, as the header asks.
+        let material = unsafe { material.checked()? };
+        let Process {
+            depth_law,
+            orientation,
+            ..
+        } = process.checked()?;
+        let found = Process::for_wanted(wanted, &tool.0, &material, depth_law, orientation)?;
+        (process.force_kgf, process.depth_mm) = (found.force_kgf, found.depth_mm);
+        Ok(())
+    })
 }
 
 /// Measures a cross-section.

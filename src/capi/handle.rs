@@ -17,12 +17,12 @@ pub(super) unsafe fn exclusive<'a, T>(name: &'static str, pointer: *mut T) -> Re
     unsafe { pointer.as_mut() }.ok_or(Error::text(name, "NULL", "a valid pointer"))
 }
 
-/// An array from C: NULL is fine for no elements.
+/// An array from C: NULL is fine for no elements. `names` are those of the pointer and of the count.
 ///
 /// # Safety
 /// `pointer` is NULL or points to `count` valid elements that live, unchanged, as long as the call.
 pub(super) unsafe fn array<'a, T>(
-    name: &'static str,
+    names: [&'static str; 2],
     pointer: *const T,
     count: usize,
 ) -> Result<&'a [T]> {
@@ -31,15 +31,15 @@ pub(super) unsafe fn array<'a, T>(
     }
     if pointer.is_null() {
         return Err(Error::text(
-            name,
+            names[0],
             "NULL",
             "a valid pointer (or a count of 0)",
         ));
     }
-    if count > isize::MAX as usize / size_of::<T>().max(1) {
-        return Err(Error::number(
-            name,
-            count as f64,
+    if count > isize::MAX.unsigned_abs() / size_of::<T>().max(1) {
+        return Err(Error::count(
+            names[1],
+            count,
             "no more elements than memory can hold",
         ));
     }

@@ -17,6 +17,7 @@
 
 mod cross_section;
 mod handle;
+mod hardness;
 mod material;
 mod pattern;
 mod shading;
@@ -24,6 +25,7 @@ mod status;
 mod tool;
 
 pub use cross_section::*;
+pub use hardness::*;
 pub use material::*;
 pub use pattern::*;
 pub use shading::*;

@@ -2,12 +2,13 @@
 
 use super::cross_section::depth_law;
 use super::handle::{array, borrowed, exclusive, make_shared, release, retain};
+use super::hardness::StriaeHardnessMap;
 use super::material::StriaeMaterial;
 use super::status::{StriaeStatus, check_struct_size, guard};
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
 use crate::formation::Orientation;
-use crate::pattern::{Key, Path, Pattern, PatternBuilder, Scratch};
+use crate::pattern::{Held, Key, Path, Pattern, PatternBuilder, Scratch};
 
 /// Kinds of path.
 #[repr(C)]
@@ -19,6 +20,16 @@ pub enum StriaeCurve {
     CubicBezier = 1,
 }
 
+/// What a scratch's spin and azimuth are relative to.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub enum StriaeHeld {
+    /// The direction of travel: the hand turns with the path. Azimuth 0 leans forward, 90 to the left.
+    ToPath = 0,
+    /// The surface: the hand does not turn while the path does. Azimuth 0 leans towards u, 90 towards v.
+    ToSurface = 1,
+}
+
 /// Force and orientation at one place along a scratch.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -27,11 +38,13 @@ pub struct StriaeKey {
     pub at: f64,
     /// Normal force, kgf, 0 to 100000.
     pub force_kgf: f64,
+    /// Depth under load, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
+    pub depth_mm: f64,
     /// Spin about the tool's own axis, counter-clockwise from above, degrees.
     pub spin_deg: f64,
     /// Angle between the tool's axis and the surface normal, degrees, 0 to 85.
     pub tilt_deg: f64,
-    /// Where the axis leans to, relative to the travel: 0 = forward, 90 = left, degrees.
+    /// Where the axis leans to, degrees.
     pub azimuth_deg: f64,
 }
 
@@ -49,6 +62,8 @@ pub struct StriaeScratch {
     pub curve: u32,
     /// A StriaeDepthLaw.
     pub depth_law: u32,
+    /// A StriaeHeld.
+    pub held: u32,
     /// The path's points in texture space, (u, v) each.
     pub points_uv: *const [f64; 2],
     /// How many points.
@@ -86,18 +101,21 @@ impl From<&StriaeKey> for Key {
         let &StriaeKey {
             at,
             force_kgf,
+            depth_mm,
             spin_deg,
             tilt_deg,
             azimuth_deg,
         } = key;
+        let orientation = Orientation {
+            spin_deg,
+            tilt_deg,
+            azimuth_deg,
+        };
         Self {
             at,
             force_kgf,
-            orientation: Orientation {
-                spin_deg,
-                tilt_deg,
-                azimuth_deg,
-            },
+            depth_mm,
+            orientation,
         }
     }
 }
@@ -111,13 +129,16 @@ impl StriaeScratch {
         let (tool, points, keys) = unsafe {
             (
                 borrowed("tool", self.tool)?,
-                array("points_uv", self.points_uv, self.point_count)?,
-                array("keys", self.keys, self.key_count)?,
+                array(
+                    ["points_uv", "point_count"],
+                    self.points_uv,
+                    self.point_count,
+                )?,
+                array(["keys", "key_count"], self.keys, self.key_count)?,
             )
         };
         // SAFETY: as promised by the caller.
-        let material = unsafe { self.material.as_ref() };
-        let material = material.map(StriaeMaterial::checked).transpose()?;
+        let material = unsafe { self.material.as_ref().map(|m| m.checked()).transpose()? };
         let path = match self.curve {
             0 => Path::Polyline(points),
             1 => Path::CubicBezier(points),
@@ -129,11 +150,23 @@ impl StriaeScratch {
                 ));
             }
         };
+        let held = match self.held {
+            0 => Held::ToPath,
+            1 => Held::ToSurface,
+            other => {
+                return Err(Error::number(
+                    "held",
+                    f64::from(other),
+                    "a StriaeHeld, 0 to 1",
+                ));
+            }
+        };
         let keys: Vec<Key> = keys.iter().map(Key::from).collect();
         builder.add(&Scratch {
             tool: &tool.0,
             material: material.as_ref(),
             depth_law: depth_law(self.depth_law)?,
+            held,
             path,
             keys: &keys,
         })
@@ -164,12 +197,28 @@ pub unsafe extern "C" fn striae_pattern_builder_new(
             size_of::<StriaePatternOptions>(),
             accepted,
         )?;
-        let made = PatternBuilder::new(
-            surface.checked()?,
-            options.mm_per_scene_unit,
-            options.units_per_uv,
-        )?;
+        // SAFETY: the material's layers are NULL or valid, as the header asks.
+        let surface = unsafe { surface.checked()? };
+        let made = PatternBuilder::new(surface, options.mm_per_scene_unit, options.units_per_uv)?;
         *out = Box::into_raw(Box::new(StriaePatternBuilder(made)));
+        Ok(())
+    })
+}
+
+/// Lets the surface's hardness vary: scratches added from now on meet the map along their way instead of the
+/// material's own hardness. Scratches with a material of their own keep that one's.
+///
+/// @param builder the builder; keeps a copy
+/// @param map the map
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_builder_set_hardness(
+    builder: *mut StriaePatternBuilder,
+    map: *const StriaeHardnessMap,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (builder, map) = unsafe { (exclusive("builder", builder)?, borrowed("map", map)?) };
+        builder.0.set_hardness(map.0.clone());
         Ok(())
     })
 }

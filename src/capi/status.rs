@@ -78,7 +78,7 @@ pub(super) fn check_struct_size(given: usize, own: usize, accepted: &'static str
     if given == own {
         return Ok(());
     }
-    Err(Error::number("struct_size", given as f64, accepted))
+    Err(Error::count("struct_size", given, accepted))
 }
 
 /// The library's version at run time: (major << 16) | (minor << 8) | patch. Any thread; never fails.

@@ -20,8 +20,24 @@ pub enum StriaeToolPreset {
     Vickers = 1,
     /// A wire nail's point: a cone of 50 degrees in all, blunted to 0.1 mm.
     Nail = 2,
-    /// A slotted screwdriver: an edge 1 mm wide across the travel, faces 60 degrees apart.
+    /// A slotted screwdriver, blade 0.8 x 4 mm (ISO 2380-1), its edge across the travel.
     Screwdriver = 3,
+    /// A three-sided pyramid, faces at 65.27 degrees to the axis (ISO 14577-2).
+    Berkovich = 4,
+    /// A carbide scriber: a 30 degree point, sharp to 0.05 mm.
+    Scriber = 5,
+    /// A square graver: a 90 degree keel on a 2.4 mm bar.
+    SquareGraver = 6,
+    /// A round graver no. 53: a keel 0.6 mm wide, half a circle.
+    RoundGraver = 7,
+    /// A flat graver no. 38: an edge 0.6 mm wide.
+    FlatGraver = 8,
+    /// A sewing needle's point: 20 degrees in all, tip radius 0.02 mm.
+    Needle = 9,
+    /// The worn corner of a house key: 90 degrees, tip radius 0.15 mm.
+    Key = 10,
+    /// A corner of an abrasive grain, FEPA P120: 0.125 mm across, sharp.
+    AbrasiveGrain = 11,
 }
 
 /// Makes a cone whose tip is rounded by a sphere.
@@ -87,14 +103,22 @@ pub unsafe extern "C" fn striae_tool_preset(
     preset: u32,
     tool: *mut *mut StriaeTool,
 ) -> StriaeStatus {
-    const ALL: [fn() -> Tool; 4] = [
+    const ALL: [fn() -> Tool; 12] = [
         Tool::rockwell_c,
         Tool::vickers,
         Tool::nail,
         Tool::screwdriver,
+        Tool::berkovich,
+        Tool::scriber,
+        Tool::square_graver,
+        Tool::round_graver,
+        Tool::flat_graver,
+        Tool::needle,
+        Tool::key,
+        Tool::abrasive_grain,
     ];
     let make = || {
-        let accepted = "a StriaeToolPreset, 0 to 3";
+        let accepted = "a StriaeToolPreset, 0 to 11";
         let known = ALL.get(preset as usize);
         known.map(|make| StriaeTool(make())).ok_or(Error::number(
             "preset",

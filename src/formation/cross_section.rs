@@ -1,6 +1,7 @@
 //! The cross-section of a scratch: a groove and its two peaks, from the process that made them.
 
 use super::facets::{facet_points, facets_needed};
+use super::material::Material;
 use super::orientation::Orientation;
 use super::outline::Cut;
 use super::penetration::DepthLaw;
@@ -16,6 +17,8 @@ pub struct Process {
     pub depth_law: DepthLaw,
     /// Normal force, kgf, 0 to 100000.
     pub force_kgf: f64,
+    /// Depth under load, mm, 0 to 1000: counts under [`DepthLaw::Stated`] only.
+    pub depth_mm: f64,
     /// How the tool is held.
     pub orientation: Orientation,
 }
@@ -31,19 +34,19 @@ pub struct CrossSection {
 }
 
 impl CrossSection {
-    /// What `tool`, held and pressed as `process` says, leaves in a surface of `hardness_hv` (0.01 to 20000).
+    /// What `tool`, held and pressed as `process` says, leaves in `material`.
     ///
-    /// Errors: a force, angle or hardness out of its range; a tool leant onto its flank; a depth that the
-    /// tool is too short for.
-    pub fn form(tool: &Tool, process: &Process, hardness_hv: f64) -> Result<Self> {
+    /// Errors: a force, angle or property of the material out of its range; a tool leant onto its flank; a
+    /// depth that the tool is too short for.
+    pub fn form(tool: &Tool, process: &Process, material: &Material) -> Result<Self> {
         in_range("force_kgf", process.force_kgf, 0.0, 100_000.0)?;
-        in_range("hardness_hv", hardness_hv, 0.01, 20_000.0)?;
+        in_range("depth_mm", process.depth_mm, 0.0, 1000.0)?;
+        material.check()?;
         let outline = tool.outline(process.orientation.check()?)?;
-        let depth_mm = process
-            .depth_law
-            .depth_mm(&outline, process.force_kgf, hardness_hv)?;
-        let groove = outline.cut(depth_mm);
-        let peaks = PileUp::of(&groove);
+        let loaded_mm = process.depth_law.depth_mm(&outline, process, material)?;
+        let groove = outline.cut(loaded_mm).recovered(material.elastic_recovery);
+        let depth_mm = loaded_mm * (1.0 - material.elastic_recovery);
+        let peaks = PileUp::of(&groove, material);
         Ok(Self {
             depth_mm,
             groove,
@@ -118,12 +121,20 @@ impl CrossSection {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::brdf::Metal;
 
     fn area(points: &[DVec2]) -> f64 {
         points
             .windows(2)
             .map(|w| 0.5 * (w[1].x - w[0].x) * (w[0].y + w[1].y))
             .sum()
+    }
+
+    fn soft() -> Material {
+        Material {
+            hardness_hv: 150.0,
+            ..Material::metal(Metal::Brass)
+        }
     }
 
     /// No material is lost: what the groove lacks, the peaks hold.
@@ -145,7 +156,7 @@ mod tests {
                 orientation: held,
                 ..Default::default()
             };
-            let section = CrossSection::form(&tool, &process, 150.0).unwrap();
+            let section = CrossSection::form(&tool, &process, &soft()).unwrap();
             for points in [section.vertices(), section.faceted(9)] {
                 let lost = area(&points).abs() / section.groove_area_mm2();
                 assert!(lost < 1e-4, "{tool:?}: {lost}");
@@ -158,7 +169,7 @@ mod tests {
     /// Zero force is a valid process that leaves nothing, and its cross-section has its points all the same.
     #[test]
     fn no_force_no_scratch() {
-        let section = CrossSection::form(&Tool::nail(), &Process::default(), 100.0).unwrap();
+        let section = CrossSection::form(&Tool::nail(), &Process::default(), &soft()).unwrap();
         assert_eq!(section.groove_width_mm(), 0.0);
         assert_eq!(section.faceted(4).len(), 9);
     }

@@ -6,18 +6,22 @@
 mod cross_section;
 mod envelope;
 mod facets;
+mod hardness;
 mod material;
 mod mesh;
 mod orientation;
 mod outline;
 mod penetration;
 mod pileup;
+mod plasticity;
 mod tool;
 
 pub use cross_section::{CrossSection, Process};
 pub(crate) use facets::MOST_FACETS;
-pub use material::Material;
+pub use hardness::{HardnessMap, Reading};
+pub use material::{Layer, MOST_LAYERS, Material};
 pub use orientation::Orientation;
-pub use penetration::DepthLaw;
-pub use pileup::Peak;
+pub use penetration::{DepthLaw, Wanted};
+pub use pileup::{Peak, PileUpLaw};
+pub use plasticity::Plasticity;
 pub use tool::Tool;

@@ -83,6 +83,18 @@ impl Outline {
 }
 
 impl Cut {
+    /// The groove after a share of its depth has sprung back: as wide, less deep, less steep.
+    pub(crate) fn recovered(mut self, share: f64) -> Self {
+        let left = 1.0 - share;
+        self.points.iter_mut().for_each(|point| point.y *= left);
+        self.area_mm2 *= left;
+        // An upright wall stays upright.
+        self.flank_rad = self
+            .flank_rad
+            .map(|flank| (left * flank.sin()).atan2(flank.cos()));
+        self
+    }
+
     /// Width of the groove at the level, mm.
     pub(crate) fn width_mm(&self) -> f64 {
         match (self.points.first(), self.points.last()) {

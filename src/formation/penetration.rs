@@ -1,11 +1,15 @@
-//! How deep a tool goes under a force: from force and hardness to the groove's depth.
+//! How deep a tool goes under a force: from force and hardness to the groove's depth, and back.
 
+use super::cross_section::Process;
+use super::material::Material;
+use super::orientation::Orientation;
 use super::outline::{Cut, Outline};
 use super::pileup::PileUp;
-use crate::error::{Error, Result};
+use super::tool::Tool;
+use crate::error::{Error, Result, in_range};
 use core::f64::consts::PI;
 
-/// A law that gives the groove's depth.
+/// A law that gives the groove's depth under load.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DepthLaw {
     /// p = 0.182 sqrt(F/HV + 0.0055) - 0.014 mm (Bosch et al. 2004, section 3.2), fitted to scratches made
@@ -15,55 +19,144 @@ pub enum DepthLaw {
     /// Scratch hardness (ASTM G171): between its two crests, pile-up included, the groove is
     /// w = sqrt(8 F / (pi HS)) wide, HS being the scratch hardness number. Suits any tool.
     ScratchHardness,
+    /// The depth is stated, whatever the force.
+    Stated,
+}
+
+/// A measure of a scratch that its author wants.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Wanted {
+    /// Depth of the groove below the surface, mm.
+    Depth(f64),
+    /// Width of the groove at the surface, mm.
+    GrooveWidth(f64),
+    /// Width between the crests of the peaks, mm.
+    CrestWidth(f64),
 }
 
 impl DepthLaw {
-    /// Depth of the groove in mm, 0 for no scratch.
+    /// Depth of the groove under load in mm, 0 for no scratch.
     pub(crate) fn depth_mm(
         self,
         outline: &Outline,
-        force_kgf: f64,
-        hardness_hv: f64,
+        process: &Process,
+        material: &Material,
     ) -> Result<f64> {
-        let load_mm2 = force_kgf / hardness_hv;
-        let depth_mm = match self {
-            Self::Bosch2004 => (0.182 * (load_mm2 + 0.0055).sqrt() - 0.014).max(0.0),
-            Self::ScratchHardness => depth_for_crest_width(outline, (8.0 * load_mm2 / PI).sqrt()),
+        let load_mm2 = process.force_kgf / material.hardness_hv;
+        let (depth_mm, argument, given) = match self {
+            Self::Bosch2004 => {
+                let depth_mm = (0.182 * (load_mm2 + 0.0055).sqrt() - 0.014).max(0.0);
+                (depth_mm, "force_kgf", process.force_kgf)
+            }
+            Self::ScratchHardness => {
+                let width = |cut: &Cut| crest_width_mm(cut, material);
+                let wanted = (8.0 * load_mm2 / PI).sqrt();
+                (
+                    depth_where(outline, material, wanted, width),
+                    "force_kgf",
+                    process.force_kgf,
+                )
+            }
+            Self::Stated => (process.depth_mm, "depth_mm", process.depth_mm),
         };
         if depth_mm < outline.height_mm() {
             return Ok(depth_mm);
         }
-        Err(Error::number(
-            "force_kgf",
-            force_kgf,
-            "a force that does not push the tool deeper than it is tall (height_mm), at this hardness",
-        ))
+        let accepted = "no more than pushes the tool as deep as it is tall, at this hardness";
+        Err(Error::number(argument, given, accepted))
+    }
+
+    /// The force that leaves a groove `depth_mm` deep under load.
+    fn force_kgf(self, depth_mm: f64, outline: &Outline, material: &Material) -> Result<f64> {
+        let load_mm2 = match self {
+            Self::Bosch2004 => ((depth_mm + 0.014) / 0.182).powi(2) - 0.0055,
+            Self::ScratchHardness => {
+                let cut = outline.cut(depth_mm).recovered(material.elastic_recovery);
+                PI * crest_width_mm(&cut, material).powi(2) / 8.0
+            }
+            Self::Stated => {
+                let accepted = "a law that relates depth to force";
+                return Err(Error::text("depth_law", "a stated depth", accepted));
+            }
+        };
+        Ok(load_mm2 * material.hardness_hv)
     }
 }
 
-/// Width between the crests of the groove at a depth, mm.
-fn crest_width_mm(cut: &Cut) -> f64 {
-    let peaks = PileUp::of(cut);
+impl Process {
+    /// The process of this law and orientation that leaves what is wanted: the exact inverse of
+    /// [`super::CrossSection::form`]. Under [`DepthLaw::Stated`] it states the depth, else the force.
+    ///
+    /// Errors: a measure out of the range 1e-9 to 1000 mm, or one that the tool cannot leave.
+    pub fn for_wanted(
+        wanted: Wanted,
+        tool: &Tool,
+        material: &Material,
+        depth_law: DepthLaw,
+        orientation: Orientation,
+    ) -> Result<Self> {
+        let outline = tool.outline(orientation.check()?)?;
+        material.check()?;
+        let (argument, value) = match wanted {
+            Wanted::Depth(value) => ("depth_mm", value),
+            Wanted::GrooveWidth(value) => ("groove_width_mm", value),
+            Wanted::CrestWidth(value) => ("crest_width_mm", value),
+        };
+        in_range(argument, value, 1e-9, 1000.0)?;
+        let depth_mm = match wanted {
+            Wanted::Depth(depth_mm) => depth_mm / (1.0 - material.elastic_recovery),
+            Wanted::GrooveWidth(width) => depth_where(&outline, material, width, Cut::width_mm),
+            Wanted::CrestWidth(width) => depth_where(&outline, material, width, |cut| {
+                crest_width_mm(cut, material)
+            }),
+        };
+        if depth_mm >= outline.height_mm() || depth_mm <= 0.0 {
+            let accepted = "what this tool can leave without going deeper than it is tall";
+            return Err(Error::number(argument, value, accepted));
+        }
+        let force_kgf = match depth_law {
+            DepthLaw::Stated => 0.0,
+            law => law.force_kgf(depth_mm, &outline, material)?,
+        };
+        Ok(Self {
+            depth_law,
+            force_kgf,
+            depth_mm,
+            orientation,
+        })
+    }
+}
+
+/// Width between the crests of the groove, mm.
+fn crest_width_mm(cut: &Cut, material: &Material) -> f64 {
+    let peaks = PileUp::of(cut, material);
     peaks.left.inner_width_mm + cut.width_mm() + peaks.right.inner_width_mm
 }
 
-/// The depth at which the crests are `width_mm` apart; the tool's height where it never gets so wide.
+/// The depth under load at which the recovered groove is `wanted` wide by some measure of width; the tool's
+/// height where it never gets so wide, 0 where it is always wider.
 ///
-/// The width grows with depth, so bisection cannot miss; it stops at the last bit.
-fn depth_for_crest_width(outline: &Outline, width_mm: f64) -> f64 {
+/// Widths grow with depth, so bisection cannot miss; it stops at the last bit.
+fn depth_where(
+    outline: &Outline,
+    material: &Material,
+    wanted: f64,
+    width_mm: impl Fn(&Cut) -> f64,
+) -> f64 {
+    let width = |depth_mm| width_mm(&outline.cut(depth_mm).recovered(material.elastic_recovery));
     let (mut shallow, mut deep) = (0.0, outline.height_mm());
-    if width_mm <= 0.0 {
+    if wanted <= 0.0 {
         return 0.0;
     }
-    if crest_width_mm(&outline.cut(deep * (1.0 - 1e-12))) <= width_mm {
+    if width(deep * (1.0 - 1e-12)) <= wanted {
         return deep;
     }
     loop {
         let middle = 0.5 * (shallow + deep);
-        if middle <= shallow || middle >= deep || deep - shallow < 1e-13 * deep {
+        if middle <= shallow || middle >= deep || middle < 1e-12 {
             return middle;
         }
-        if crest_width_mm(&outline.cut(middle)) < width_mm {
+        if width(middle) < wanted {
             shallow = middle;
         } else {
             deep = middle;
@@ -74,31 +167,80 @@ fn depth_for_crest_width(outline: &Outline, width_mm: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formation::{Orientation, Tool};
+    use crate::brdf::Metal;
+    use crate::formation::CrossSection;
 
-    /// The scratch-hardness law puts the crests where it says, for every preset.
+    fn springy() -> Material {
+        let mut material = Material::metal(Metal::Steel);
+        material.elastic_recovery = 0.2;
+        material.pile_up_fraction = 0.7;
+        material
+    }
+
+    const TILTED: Orientation = Orientation {
+        spin_deg: 10.0,
+        tilt_deg: 12.0,
+        azimuth_deg: 70.0,
+    };
+
+    /// The scratch-hardness law puts the crests where it says, for every tool and material.
     #[test]
     fn crests_are_as_wide_as_the_law_says() {
-        let tilted = Orientation {
-            spin_deg: 10.0,
-            tilt_deg: 12.0,
-            azimuth_deg: 70.0,
-        };
         for tool in [Tool::rockwell_c(), Tool::vickers(), Tool::nail()] {
-            let outline = tool.outline(tilted).unwrap();
-            let depth = DepthLaw::ScratchHardness
-                .depth_mm(&outline, 1.2, 200.0)
-                .unwrap();
-            let width = crest_width_mm(&outline.cut(depth));
-            let law = (8.0 * 1.2 / (PI * 200.0)).sqrt();
+            let process = Process {
+                depth_law: DepthLaw::ScratchHardness,
+                force_kgf: 1.2,
+                orientation: TILTED,
+                ..Process::default()
+            };
+            let section = CrossSection::form(&tool, &process, &springy()).unwrap();
+            let law = (8.0 * 1.2 / (PI * springy().hardness_hv)).sqrt();
+            let width = section.crest_width_mm();
             assert!((width / law - 1.0).abs() < 1e-9, "{width} against {law}");
+        }
+    }
+
+    /// From a wanted measure to a process and back, by every law.
+    #[test]
+    fn inverse_is_exact() {
+        let tool = Tool::rockwell_c();
+        for law in [
+            DepthLaw::Bosch2004,
+            DepthLaw::ScratchHardness,
+            DepthLaw::Stated,
+        ] {
+            for wanted in [
+                Wanted::Depth(0.01),
+                Wanted::GrooveWidth(0.08),
+                Wanted::CrestWidth(0.1),
+            ] {
+                let process = Process::for_wanted(wanted, &tool, &springy(), law, TILTED).unwrap();
+                let section = CrossSection::form(&tool, &process, &springy()).unwrap();
+                let (value, got) = match wanted {
+                    Wanted::Depth(value) => (value, section.depth_mm()),
+                    Wanted::GrooveWidth(value) => (value, section.groove_width_mm()),
+                    Wanted::CrestWidth(value) => (value, section.crest_width_mm()),
+                };
+                assert!(
+                    (got / value - 1.0).abs() < 1e-9,
+                    "{law:?} {wanted:?}: {got}"
+                );
+            }
         }
     }
 
     /// The 2004 fit gives no scratch below F/HV = 4.17e-4.
     #[test]
     fn light_touch_leaves_nothing() {
-        let outline = Tool::nail().outline(Orientation::default()).unwrap();
-        assert_eq!(DepthLaw::Bosch2004.depth_mm(&outline, 0.04, 100.0), Ok(0.0));
+        let soft = Material {
+            hardness_hv: 100.0,
+            ..springy()
+        };
+        let process = Process {
+            force_kgf: 0.04,
+            ..Process::default()
+        };
+        let section = CrossSection::form(&Tool::nail(), &process, &soft).unwrap();
+        assert_eq!(section.depth_mm(), 0.0);
     }
 }

@@ -125,15 +125,87 @@ impl Tool {
         Self::preset(Self::pyramid(4, 136.0, 3.0))
     }
 
+    /// The Berkovich diamond: a three-sided pyramid, faces at 65.27° to the axis (ISO 14577-2). A face leads.
+    pub fn berkovich() -> Self {
+        Self::preset(Self::pyramid(3, 2.0 * 65.27, 3.0))
+    }
+
     /// A common wire nail: a point of about 50° in all, blunted to 0.1 mm.
     pub fn nail() -> Self {
         Self::preset(Self::sphero_cone(25.0, 0.1, 3.0))
     }
 
-    /// A slotted screwdriver's corner-to-corner edge: 1 mm wide, faces 60° apart. Tilt it sideways and
-    /// one corner scratches.
+    /// A slotted screwdriver's edge across the travel: blade 0.8 x 4 mm (ISO 2380-1), its tip ground flat 0.8 mm
+    /// thick, faces 10° to the axis. Tilt it sideways and one corner scratches.
     pub fn screwdriver() -> Self {
-        Self::preset(Self::wedge(1.0, 60.0, 3.0))
+        let (half_width, half_thickness, height) = (2.0, 0.4, 5.0);
+        let top = half_thickness + height * 10_f64.to_radians().tan();
+        let corners = [(half_thickness, 0.0), (top, height)]
+            .into_iter()
+            .flat_map(|(y, z)| {
+                [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)]
+                    .map(|(side, face)| DVec3::new(side * half_width, face * y, z))
+            });
+        Self {
+            shape: Shape::Hull(corners.collect()),
+        }
+    }
+
+    /// A carbide scriber: a 30° point, sharp to 0.05 mm, as machinists' pocket scribers are sold.
+    pub fn scriber() -> Self {
+        Self::preset(Self::sphero_cone(15.0, 0.05, 3.0))
+    }
+
+    /// A square graver, 2.4 mm bar (no. 6 in GRS's list): two sides that meet in a 90° keel.
+    pub fn square_graver() -> Self {
+        let half = 2.4 * core::f64::consts::FRAC_1_SQRT_2;
+        Self::preset(Self::profile(&[[-half, half], [0.0, 0.0], [half, half]]))
+    }
+
+    /// A round graver no. 53: a keel 0.6 mm wide, half a circle.
+    pub fn round_graver() -> Self {
+        Self::preset(Self::profile(&round_keel(0.3)))
+    }
+
+    /// A flat graver no. 38: a straight edge 0.6 mm wide between upright sides.
+    pub fn flat_graver() -> Self {
+        Self::preset(Self::profile(&[
+            [-0.3, 2.0],
+            [-0.3, 0.0],
+            [0.3, 0.0],
+            [0.3, 2.0],
+        ]))
+    }
+
+    /// A sewing needle's point: a cone of 20° in all, tip radius 0.02 mm.
+    pub fn needle() -> Self {
+        Self::preset(Self::sphero_cone(10.0, 0.02, 2.0))
+    }
+
+    /// The edge of a house key: brass stamped square, its 90° corner worn round to 0.15 mm.
+    pub fn key() -> Self {
+        Self::preset(Self::sphero_cone(45.0, 0.15, 2.0))
+    }
+
+    /// A corner of an abrasive grain, FEPA P120 (0.125 mm across): an irregular octahedron, sharp.
+    pub fn abrasive_grain() -> Self {
+        let half = 0.0625;
+        let corners = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.1, 0.8],
+            [-0.85, 0.25, 1.0],
+            [0.15, 0.95, 0.9],
+            [-0.1, -0.8, 0.75],
+            [0.1, -0.05, 2.0],
+        ];
+        let corners = corners.map(|corner| DVec3::from(corner) * half);
+        let faces = [0, 5]
+            .into_iter()
+            .flat_map(|end| [[1, 3], [3, 2], [2, 4], [4, 1]].map(|[a, b]| [end, a, b]));
+        let mesh = Mesh::from_triangles(&corners, &faces.collect::<Vec<_>>());
+        Self {
+            shape: Shape::Mesh(mesh.expect("a preset's sizes lie in their ranges")),
+        }
     }
 
     fn preset(tool: Result<Self>) -> Self {
@@ -159,6 +231,20 @@ impl Tool {
             )),
         }
     }
+}
+
+/// Half a circle's lower edge, in steps of 3 degrees, with upright sides above.
+fn round_keel(radius: f64) -> Vec<[f64; 2]> {
+    let arc = (-30..=30).map(|i| {
+        let (sin, cos) = (f64::from(i) * 3.0).to_radians().sin_cos();
+        [radius * sin, radius * (1.0 - cos)]
+    });
+    let side = |x: f64| [[x, 2.0]];
+    side(-radius)
+        .into_iter()
+        .chain(arc)
+        .chain(side(radius))
+        .collect()
 }
 
 fn check_height(height_mm: f64) -> Result<f64> {

@@ -1,12 +1,13 @@
 //! From stated scratches to a pattern that can be queried.
 
 use super::Scratch;
+use super::along::Along;
 use super::grid::Grid;
 use super::path::Piece;
-use super::track::{Extent, Track};
+use super::track::{Extent, Ground, Track};
 use crate::brdf::Finish;
 use crate::error::{Result, in_range};
-use crate::formation::Material;
+use crate::formation::{HardnessMap, Material};
 use glam::DVec2;
 
 /// A surface with its scratches, immutable: share it between threads as you like.
@@ -25,6 +26,7 @@ pub struct Pattern {
 #[derive(Clone, Debug)]
 pub struct PatternBuilder {
     material: Material,
+    hardness: Option<HardnessMap>,
     mm_per_scene_unit: f64,
     units_per_uv: DVec2,
     pieces: Vec<Piece>,
@@ -42,12 +44,22 @@ impl PatternBuilder {
             in_range("units_per_uv", units, 1e-9, 1e9)?;
         }
         Ok(Self {
-            material: material.check()?,
+            material: {
+                material.check()?;
+                material
+            },
+            hardness: None,
             mm_per_scene_unit,
             units_per_uv: DVec2::from(units_per_uv),
             pieces: Vec::new(),
             tracks: Vec::new(),
         })
+    }
+
+    /// Lets the surface's hardness vary: scratches added from now on meet `map` along their way instead of the
+    /// material's own hardness. Scratches with a material of their own keep that one's.
+    pub fn set_hardness(&mut self, map: HardnessMap) {
+        self.hardness = Some(map);
     }
 
     /// Adds a scratch. If it is refused, the builder is as it was.
@@ -59,8 +71,13 @@ impl PatternBuilder {
             0.0,
             f64::from(u32::MAX),
         )?;
-        let pieces = scratch.path.pieces(self.units_per_uv, number)?;
-        let track = Track::new(scratch, &self.material)?;
+        let (pieces, length) = scratch.path.pieces(self.units_per_uv, number)?;
+        let ground = Ground {
+            along: Along::new(&pieces, self.units_per_uv, length * self.mm_per_scene_unit),
+            surface: &self.material,
+            hardness: self.hardness.as_ref(),
+        };
+        let track = Track::new(scratch, &ground)?;
         let all = (self.pieces.len() + pieces.len()) as f64;
         in_range("piece_count", all, 0.0, f64::from(u32::MAX))?;
         self.pieces.extend(pieces);
@@ -70,7 +87,7 @@ impl PatternBuilder {
 
     /// The pattern so far. The builder stays usable.
     pub fn build(&self) -> Pattern {
-        let extents = self.tracks.iter().map(Track::extent);
+        let extents = self.tracks.iter().map(|track| track.extent);
         let extent = extents.fold(Extent::default(), |all, one| Extent {
             half_width_mm: all.half_width_mm.max(one.half_width_mm),
             height_mm: all.height_mm.max(one.height_mm),

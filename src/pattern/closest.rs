@@ -41,7 +41,8 @@ pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2
     (t, bezier(control, t), tangent(control, t))
 }
 
-fn tangent(control: &[DVec2; 4], t: f64) -> DVec2 {
+/// The unit tangent at parameter t.
+pub(crate) fn tangent(control: &[DVec2; 4], t: f64) -> DVec2 {
     let (first, _) = derivatives(control, t);
     let chord = control[3] - control[0];
     // At a control point that lies on the curve's end the derivative vanishes.

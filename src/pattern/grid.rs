@@ -182,7 +182,8 @@ mod tests {
             pieces.extend(
                 Path::CubicBezier(&points)
                     .pieces(DVec2::ONE, scratch)
-                    .unwrap(),
+                    .unwrap()
+                    .0,
             );
         }
         let grid = Grid::new(&pieces);

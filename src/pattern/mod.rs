@@ -4,6 +4,7 @@
 //! a continuous function of arc length; a grid finds the pieces near a footprint. All that is asked
 //! while rendering neither allocates nor locks.
 
+mod along;
 mod builder;
 mod closest;
 mod grid;
@@ -20,5 +21,5 @@ pub(crate) use point::Metric;
 pub use point::{Footprint, Frame, SurfacePoint};
 pub(crate) use query::Hit;
 pub(crate) use region::Region;
-pub use scratch::{Key, Scratch};
-pub(crate) use track::{MOST_VERTICES, Track};
+pub use scratch::{Held, Key, Scratch};
+pub(crate) use track::{Finishes, MOST_VERTICES, Track};

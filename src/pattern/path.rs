@@ -27,7 +27,7 @@ pub(crate) struct Piece {
 }
 
 /// The most that one piece of a curve turns.
-const MOST_TURN_RAD: f64 = 0.15;
+const MOST_TURN_RAD: f64 = 0.1;
 
 /// Relative accuracy of arc lengths.
 const ARC_LENGTH_ACCURACY: f64 = 1e-7;
@@ -40,14 +40,15 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// The path's pieces. `units_per_uv` scales texture space for arc length and for parting tangents.
-    pub(crate) fn pieces(self, units_per_uv: DVec2, scratch: u32) -> Result<Vec<Piece>> {
+    /// The path's pieces, and its length in scene units. `units_per_uv` scales texture space for arc length and
+    /// for parting tangents.
+    pub(crate) fn pieces(self, units_per_uv: DVec2, scratch: u32) -> Result<(Vec<Piece>, f64)> {
         let curves = self.curves(units_per_uv)?;
         let lengths: Vec<f64> = curves.iter().map(arc_length).collect();
         let whole: f64 = lengths.iter().sum();
         if whole.is_nan() || whole <= 0.0 || whole.is_infinite() {
             return Err(Error::number(
-                "points",
+                "points_uv",
                 whole,
                 "a path of finite length above 0",
             ));
@@ -80,7 +81,7 @@ impl<'a> Path<'a> {
             before += length;
         }
         part_corners(&mut pieces, units_per_uv);
-        Ok(pieces)
+        Ok((pieces, whole))
     }
 
     /// Scaled curves, checked.
@@ -91,13 +92,13 @@ impl<'a> Path<'a> {
             Self::CubicBezier(_) => points.len() >= 4 && points.len() % 3 == 1,
         };
         if !count_fits {
-            return Err(Error::number("point_count", points.len() as f64, accepted));
+            return Err(Error::count("point_count", points.len(), accepted));
         }
         for (i, point) in points.iter().enumerate() {
             for &value in point {
                 if !value.is_finite() || value.abs() > 1e9 {
                     let accepted = "a finite u or v between -1e9 and 1e9";
-                    return Err(Error::number("", value, accepted).within("points", i));
+                    return Err(Error::number("", value, accepted).within("points_uv", i));
                 }
             }
         }
@@ -230,7 +231,7 @@ mod tests {
     fn quarter_circle() {
         let k = 0.5522847498;
         let points = [[1.0, 0.0], [1.0, k], [k, 1.0], [0.0, 1.0]];
-        let pieces = Path::CubicBezier(&points).pieces(DVec2::ONE, 0).unwrap();
+        let pieces = Path::CubicBezier(&points).pieces(DVec2::ONE, 0).unwrap().0;
         assert!(pieces.len() >= 11, "{} pieces", pieces.len());
         for pair in pieces.windows(2) {
             assert_eq!(pair[0].at[1], pair[1].at[0]);
@@ -256,7 +257,7 @@ mod tests {
         );
         let bad = [[0.0, 0.0], [1.0, f64::NAN]];
         assert!(
-            refused(Path::Polyline(&bad)).starts_with("points[1] is NaN"),
+            refused(Path::Polyline(&bad)).starts_with("points_uv[1] is NaN"),
             "NaN"
         );
         assert!(

@@ -1,8 +1,11 @@
 //! A shading point as a renderer knows it, and the millimetres it means.
 
 use super::region::Region;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, all_finite, in_range};
 use glam::{DMat2, DVec2, DVec3, Vec3};
+
+/// Longer footprints are taken for mistakes.
+const LONGEST_MM: f64 = 1e12;
 
 /// What a pixel covers of the surface around a shading point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -52,11 +55,9 @@ impl Frame {
     ///
     /// Errors: `normal` is zero or not finite.
     pub fn at(point: &SurfacePoint) -> Result<Self> {
-        let z = direction(point.normal).ok_or(Error::number(
-            "normal",
-            f64::from(point.normal[0] + point.normal[1] + point.normal[2]),
-            "a finite vector other than zero",
-        ))?;
+        all_finite("normal", &point.normal)?;
+        let accepted = "a vector of any length above 0";
+        let z = direction(point.normal).ok_or(Error::number("normal", 0.0, accepted))?;
         let du = direction(point.dp_du).unwrap_or(DVec3::ZERO);
         let tangent = du - z * z.dot(du);
         let x = if tangent.length_squared() > 1e-16 {
@@ -101,10 +102,11 @@ impl Metric {
     /// Errors: texture coordinates or derivatives that are not finite, or derivatives that span no plane.
     pub(crate) fn at(point: &SurfacePoint, frame: &Frame, mm_per_unit: f64) -> Result<Self> {
         let uv = DVec2::from(point.uv);
-        if !uv.is_finite() {
-            let accepted = "finite texture coordinates";
-            return Err(Error::number("uv", uv.x + uv.y, accepted));
+        if let Some(&value) = point.uv.iter().find(|value| !value.is_finite()) {
+            return Err(Error::number("uv", value, "finite numbers only"));
         }
+        all_finite("dp_du", &point.dp_du)?;
+        all_finite("dp_dv", &point.dp_dv)?;
         let (x, y) = (frame.x.as_dvec3(), frame.y.as_dvec3());
         let step = |dp: [f32; 3]| {
             let dp = Vec3::from(dp).as_dvec3();
@@ -114,9 +116,8 @@ impl Metric {
         let area = to_mm.determinant();
         let from_mm = to_mm.inverse();
         if !to_mm.is_finite() || area == 0.0 || !from_mm.is_finite() {
-            let accepted =
-                "finite derivatives that span the tangent plane (area dp_du x dp_dv not 0)";
-            return Err(Error::number("dp_du, dp_dv", area, accepted));
+            let accepted = "derivatives that span the tangent plane: an area above 0";
+            return Err(Error::number("dp_du x dp_dv", area, accepted));
         }
         Ok(Self { uv, to_mm, from_mm })
     }
@@ -124,27 +125,39 @@ impl Metric {
     /// The footprint on the tangent plane, mm around the point. A footprint that is none (zero, infinite,
     /// NaN) is a point, and an error besides.
     pub(crate) fn region(&self, footprint: &Footprint, mm_per_unit: f64) -> (Region, Result<()>) {
-        let edge = |duv: [f32; 2]| self.to_mm * DVec2::new(f64::from(duv[0]), f64::from(duv[1]));
-        let (name, given, a, b) = match *footprint {
-            Footprint::Point => return (point_region(), Ok(())),
+        match self.edges(footprint, mm_per_unit) {
+            Ok([a, b]) => (Region::parallelogram(a, b), Ok(())),
+            Err(error) => (Region::parallelogram(DVec2::ZERO, DVec2::ZERO), Err(error)),
+        }
+    }
+
+    fn edges(&self, footprint: &Footprint, mm_per_unit: f64) -> Result<[DVec2; 2]> {
+        let (name, edges) = match *footprint {
+            Footprint::Point => return Ok([DVec2::ZERO; 2]),
             Footprint::Radius(radius) => {
-                // A negative radius is no radius.
-                let side = 2.0 * f64::from(radius).max(0.0) * mm_per_unit;
-                let (a, b) = (DVec2::new(side, 0.0), DVec2::new(0.0, side));
-                ("footprint radius", f64::from(radius), a, b)
+                in_range(
+                    "radius",
+                    f64::from(radius),
+                    f64::MIN_POSITIVE,
+                    f64::from(f32::MAX),
+                )?;
+                let side = 2.0 * f64::from(radius) * mm_per_unit;
+                ("radius", [DVec2::new(side, 0.0), DVec2::new(0.0, side)])
             }
             Footprint::Differentials { duv_dx, duv_dy } => {
-                let (a, b) = (edge(duv_dx), edge(duv_dy));
-                let given = DVec2::new(a.length(), b.length()).max_element();
-                ("footprint duv_dx, duv_dy", given, a, b)
+                all_finite("duv_dx", &duv_dx)?;
+                all_finite("duv_dy", &duv_dy)?;
+                let edge =
+                    |[du, dv]: [f32; 2]| self.to_mm * DVec2::new(f64::from(du), f64::from(dv));
+                ("duv_dx and duv_dy", [edge(duv_dx), edge(duv_dy)])
             }
         };
-        let longest = a.length().max(b.length());
-        if longest > 0.0 && longest < 1e12 && a.is_finite() && b.is_finite() {
-            return (Region::parallelogram(a, b), Ok(()));
+        let longest = edges[0].length().max(edges[1].length());
+        if longest > 0.0 && longest < LONGEST_MM {
+            return Ok(edges);
         }
-        let accepted = "a size above 0 and below 1e12 mm, or a point footprint";
-        (point_region(), Err(Error::number(name, given, accepted)))
+        let accepted = "a footprint above 0 and below 1e12 mm, or a point footprint";
+        Err(Error::number(name, longest, accepted))
     }
 
     /// How far in (u, v) a distance in mm reaches at most.
@@ -157,10 +170,6 @@ impl Metric {
     pub(crate) fn place_uv(&self, mm: DVec2) -> DVec2 {
         self.uv + self.from_mm * mm
     }
-}
-
-fn point_region() -> Region {
-    Region::parallelogram(DVec2::ZERO, DVec2::ZERO)
 }
 
 #[cfg(test)]

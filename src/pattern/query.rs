@@ -11,8 +11,8 @@ use glam::DVec2;
 /// Pieces gathered before they are joined into runs. More are handled too, in several batches.
 const BATCH: usize = 64;
 
-/// Neighbouring pieces that turn less than this in all are one run, with one frame: cos 8 degrees.
-const RUN_COS: f64 = 0.99;
+/// Neighbouring pieces that turn less than this in all are one run, with one frame: cos 4 degrees.
+const RUN_COS: f64 = 0.9976;
 
 /// One scratch's way through a footprint. Lengths in mm, in the local frame around the footprint's centre.
 #[derive(Clone, Copy, Debug)]
@@ -94,31 +94,60 @@ impl Pattern {
         let (first, last) = (&run[0], &run[run.len() - 1]);
         let place = |uv: DVec2| metric.to_mm * (uv - metric.uv);
         let direction = |uv: DVec2| (metric.to_mm * uv).normalize_or_zero();
-        let start = place(first.control[0]);
-        let end = place(last.control[3]);
         let region = footprint
-            .clipped(start, direction(first.parting[0]))?
-            .clipped(end, -direction(last.parting[1]))?;
-        let middle = region.centroid();
-        let (mut best, mut hit) = (f64::INFINITY, None);
-        for piece in run {
-            let control = piece.control.map(place);
-            let (t, origin, travel) = nearest(&control, middle);
-            let distance = origin.distance_squared(middle);
-            if distance < best {
-                best = distance;
-                let [from, to] = piece.at;
-                let at = single(from + (to - from) * length_share(&control, t));
-                let track = &self.tracks[piece.scratch as usize];
-                hit = Some(Hit {
-                    track,
-                    at,
-                    origin,
-                    travel,
-                    region,
-                });
-            }
-        }
-        hit
+            .clipped(place(first.control[0]), direction(first.parting[0]))?
+            .clipped(place(last.control[3]), -direction(last.parting[1]))?;
+        let track = &self.tracks[first.scratch as usize];
+        // The cross-section is taken in the middle of what is covered of the scratch, not of the footprint.
+        let near = nearest_on(run, place, region.centroid());
+        let across = DVec2::new(near.travel.y, -near.travel.x);
+        let side = across * f64::from(track.extent.half_width_mm);
+        let covered = region
+            .clipped(near.origin - side, across)
+            .and_then(|half| half.clipped(near.origin + side, -across));
+        let Near {
+            at, origin, travel, ..
+        } = match covered {
+            Some(covered) => nearest_on(run, place, covered.centroid()),
+            None => near,
+        };
+        Some(Hit {
+            track,
+            at: single(at),
+            origin,
+            travel,
+            region,
+        })
     }
+}
+
+/// The place of a run that is nearest to some point.
+struct Near {
+    distance: f64,
+    at: f64,
+    origin: DVec2,
+    travel: DVec2,
+}
+
+fn nearest_on(run: &[Piece], place: impl Fn(DVec2) -> DVec2, target: DVec2) -> Near {
+    let on_piece = |piece: &Piece| {
+        let control = piece.control.map(&place);
+        let (t, origin, travel) = nearest(&control, target);
+        let [from, to] = piece.at;
+        let at = from + (to - from) * length_share(&control, t);
+        Near {
+            distance: origin.distance_squared(target),
+            at,
+            origin,
+            travel,
+        }
+    };
+    let mut best = on_piece(&run[0]);
+    for piece in &run[1..] {
+        let other = on_piece(piece);
+        if other.distance < best.distance {
+            best = other;
+        }
+    }
+    best
 }

@@ -12,10 +12,23 @@ pub struct Scratch<'a> {
     pub material: Option<&'a Material>,
     /// Which law gives the depth.
     pub depth_law: DepthLaw,
+    /// What spin and azimuth are relative to.
+    pub held: Held,
     /// Where it runs.
     pub path: Path<'a>,
     /// Force and orientation along it: one key or more, ascending in `at`.
     pub keys: &'a [Key],
+}
+
+/// What a scratch's spin and azimuth are relative to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Held {
+    /// The direction of travel: the hand turns with the path.
+    #[default]
+    ToPath,
+    /// The surface: the hand does not turn while the path does. Azimuth 0 leans towards +x (dP/du), 90 towards
+    /// +y; spin turns with it.
+    ToSurface,
 }
 
 /// Force and orientation at one place along a scratch; linear in arc length between keys, constant
@@ -26,7 +39,9 @@ pub struct Key {
     pub at: f64,
     /// Normal force, kgf, 0 to 100000.
     pub force_kgf: f64,
-    /// How the tool is held, relative to the direction of travel.
+    /// Depth under load, mm, 0 to 1000: counts under [`DepthLaw::Stated`] only.
+    pub depth_mm: f64,
+    /// How the tool is held.
     pub orientation: Orientation,
 }
 
@@ -37,6 +52,7 @@ impl<'a> Scratch<'a> {
             tool,
             material: None,
             depth_law: DepthLaw::default(),
+            held: Held::default(),
             path: Path::Polyline(&[]),
             keys: &[],
         }
@@ -54,12 +70,21 @@ impl Key {
         Self {
             at,
             force_kgf,
+            depth_mm: 0.0,
             orientation,
         }
     }
 
+    /// A key with a stated depth and an upright tool, for [`DepthLaw::Stated`].
+    pub const fn depth(at: f64, depth_mm: f64) -> Self {
+        Self {
+            depth_mm,
+            ..Self::force(at, 0.0)
+        }
+    }
+
     pub(crate) fn same_process(&self, other: &Self) -> bool {
-        self.force_kgf == other.force_kgf && self.orientation == other.orientation
+        Self { at: 0.0, ..*self } == Self { at: 0.0, ..*other }
     }
 
     pub(crate) fn mix(&self, next: &Self, share: f64) -> Self {
@@ -68,6 +93,7 @@ impl Key {
         Self {
             at: lerp(self.at, next.at),
             force_kgf: lerp(self.force_kgf, next.force_kgf),
+            depth_mm: lerp(self.depth_mm, next.depth_mm),
             orientation: Orientation {
                 spin_deg: lerp(a.spin_deg, b.spin_deg),
                 tilt_deg: lerp(a.tilt_deg, b.tilt_deg),

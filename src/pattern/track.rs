@@ -1,9 +1,10 @@
 //! The cross-section as a function of arc length along one scratch.
 
-use super::scratch::{Key, Scratch};
-use crate::brdf::Finish;
+use super::along::Along;
+use super::scratch::{Held, Key, Scratch};
+use crate::brdf::{Brdf, Finish};
 use crate::error::{Error, Result, in_range};
-use crate::formation::{CrossSection, MOST_FACETS, Material, Process};
+use crate::formation::{CrossSection, HardnessMap, Layer, MOST_FACETS, Material, Process};
 use crate::single;
 use glam::{DVec2, Vec2};
 
@@ -26,7 +27,16 @@ pub(crate) struct Track {
     /// `vertex_count` points per station, station after station.
     vertices: Vec<Vec2>,
     vertex_count: usize,
-    pub finish: Finish,
+    pub finishes: Finishes,
+    pub extent: Extent,
+}
+
+/// The finishes of a scratch's zones, from the surface down.
+#[derive(Clone, Debug)]
+pub(crate) struct Finishes {
+    /// Each layer's lower interface (z, mm, below 0) and finish.
+    pub layers: Vec<(f32, Finish)>,
+    pub bulk: Finish,
 }
 
 /// What of a cross-section bounds how far it matters, mm.
@@ -36,46 +46,52 @@ pub(crate) struct Extent {
     pub height_mm: f32,
 }
 
+/// What a scratch is drawn over.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ground<'a> {
+    pub along: Along<'a>,
+    pub surface: &'a Material,
+    pub hardness: Option<&'a HardnessMap>,
+}
+
 impl Track {
-    /// The scratch's cross-sections; `surface` is scratched where the scratch names no material of its own.
-    pub(crate) fn new(scratch: &Scratch<'_>, surface: &Material) -> Result<Self> {
+    /// The scratch's cross-sections. Where it names no material of its own, it scratches the surface's.
+    pub(crate) fn new(scratch: &Scratch<'_>, ground: &Ground<'_>) -> Result<Self> {
         check_keys(scratch.keys)?;
-        let material = scratch.material.copied().unwrap_or(*surface).check()?;
+        let material = scratch.material.unwrap_or(ground.surface);
+        material.check()?;
+        let map = ground.hardness.filter(|_| scratch.material.is_none());
         let section = |at: f64| {
-            let key = key_at(scratch.keys, at);
-            let process = Process {
-                depth_law: scratch.depth_law,
-                force_kgf: key.force_kgf,
-                orientation: key.orientation,
+            let process = process_at(scratch, ground, at);
+            let formed = match map {
+                Some(map) => {
+                    let hardness_hv = map.at(ground.along.uv(at));
+                    let here = Material {
+                        hardness_hv,
+                        ..material.clone()
+                    };
+                    CrossSection::form(scratch.tool, &process, &here)
+                }
+                None => CrossSection::form(scratch.tool, &process, material),
             };
-            CrossSection::form(scratch.tool, &process, material.hardness_hv)
+            formed.map_err(|error| in_key(error, scratch.keys, at))
         };
-        let varies = scratch
-            .keys
-            .windows(2)
-            .any(|pair| !pair[0].same_process(&pair[1]));
-        let spans = if varies {
-            spans(scratch.keys)
-        } else {
-            vec![[0.0, 0.0]]
-        };
+        let spans = spans(scratch, ground, map.is_some());
         let mut facets = 1;
         for at in spans
             .iter()
             .flat_map(|&[from, to]| [from, 0.5 * (from + to), to])
         {
-            let formed = section(at).map_err(|error| in_key(error, scratch.keys, at))?;
-            facets = facets.max(formed.facets_needed(material.scratched.facet_step_rad()));
+            let step_rad = finest_step_rad(material);
+            facets = facets.max(section(at)?.facets_needed(step_rad));
         }
-        let faceted = |at: f64| -> Result<Vec<DVec2>> {
-            let formed = section(at).map_err(|error| in_key(error, scratch.keys, at))?;
-            Ok(formed.faceted(facets))
-        };
+        let faceted = |at: f64| section(at).map(|formed| formed.faceted(facets));
         let mut track = Self {
             at: Vec::new(),
             vertices: Vec::new(),
             vertex_count: facets + 5,
-            finish: Finish::new(&material.scratched),
+            finishes: Finishes::of(material),
+            extent: Extent::default(),
         };
         track.push(spans[0][0], &faceted(spans[0][0])?);
         for [from, to] in spans.into_iter().filter(|[from, to]| to > from) {
@@ -107,6 +123,10 @@ impl Track {
 
     fn push(&mut self, at: f64, points: &[DVec2]) {
         self.at.push(single(at));
+        for point in points {
+            self.extent.half_width_mm = self.extent.half_width_mm.max(single(point.x.abs()));
+            self.extent.height_mm = self.extent.height_mm.max(single(point.y.abs()));
+        }
         self.vertices
             .extend(points.iter().map(|point| point.as_vec2()));
     }
@@ -136,26 +156,18 @@ impl Track {
     pub(crate) fn vertex_count(&self) -> usize {
         self.vertex_count
     }
-
-    pub(crate) fn extent(&self) -> Extent {
-        self.vertices
-            .iter()
-            .fold(Extent::default(), |extent, v| Extent {
-                half_width_mm: extent.half_width_mm.max(v.x.abs()),
-                height_mm: extent.height_mm.max(v.y.abs()),
-            })
-    }
 }
 
 fn check_keys(keys: &[Key]) -> Result<()> {
     if keys.is_empty() {
-        return Err(Error::number("key_count", 0.0, "one or more"));
+        return Err(Error::count("key_count", 0, "one or more"));
     }
     let mut last = 0.0;
     for (i, key) in keys.iter().enumerate() {
         let in_order = in_range("at", key.at, last, 1.0);
         let checked = in_order
             .and_then(|_| in_range("force_kgf", key.force_kgf, 0.0, 100_000.0))
+            .and_then(|_| in_range("depth_mm", key.depth_mm, 0.0, 1000.0))
             .and_then(|_| key.orientation.check());
         checked.map_err(|error| error.within("keys", i))?;
         last = key.at;
@@ -163,14 +175,65 @@ fn check_keys(keys: &[Key]) -> Result<()> {
     Ok(())
 }
 
-/// Arc-length spans between keys, the ends of the path included.
-fn spans(keys: &[Key]) -> Vec<[f64; 2]> {
-    let inner = keys.iter().map(|key| key.at);
-    let at: Vec<f64> = [0.0].into_iter().chain(inner).chain([1.0]).collect();
+/// Arc-length spans in which the process changes smoothly; one of no length if it does not change at all.
+fn spans(scratch: &Scratch<'_>, ground: &Ground<'_>, over_map: bool) -> Vec<[f64; 2]> {
+    let keys = scratch.keys;
+    let along = over_map || scratch.held == Held::ToSurface;
+    if !along && keys.windows(2).all(|pair| pair[0].same_process(&pair[1])) {
+        return vec![[0.0, 0.0]];
+    }
+    let mut at: Vec<f64> = keys.iter().map(|key| key.at).chain([0.0, 1.0]).collect();
+    if along {
+        at.extend(ground.along.knots());
+    }
+    at.sort_unstable_by(f64::total_cmp);
     at.windows(2)
         .filter(|w| w[1] > w[0])
         .map(|w| [w[0], w[1]])
         .collect()
+}
+
+/// Force and orientation, relative to the travel, at a share of arc length.
+fn process_at(scratch: &Scratch<'_>, ground: &Ground<'_>, at: f64) -> Process {
+    let key = key_at(scratch.keys, at);
+    let mut orientation = key.orientation;
+    if scratch.held == Held::ToSurface {
+        let heading = ground.along.heading_deg(at);
+        orientation.spin_deg = (orientation.spin_deg - heading).rem_euclid(360.0);
+        orientation.azimuth_deg = (orientation.azimuth_deg - heading).rem_euclid(360.0);
+    }
+    let Key {
+        force_kgf,
+        depth_mm,
+        ..
+    } = key;
+    Process {
+        depth_law: scratch.depth_law,
+        force_kgf,
+        depth_mm,
+        orientation,
+    }
+}
+
+/// The facet step that the smoothest of a material's finishes asks for.
+fn finest_step_rad(material: &Material) -> f64 {
+    let layers = material.layers.iter().map(|layer| layer.scratched);
+    let steps = layers.chain([material.scratched]).map(Brdf::facet_step_rad);
+    steps.fold(f64::INFINITY, f64::min)
+}
+
+impl Finishes {
+    fn of(material: &Material) -> Self {
+        let mut depth_mm = 0.0;
+        let layer = |layer: &Layer| {
+            depth_mm += layer.thickness_mm;
+            (single(-depth_mm), Finish::new(&layer.scratched))
+        };
+        Self {
+            layers: material.layers.iter().map(layer).collect(),
+            bulk: Finish::new(&material.scratched),
+        }
+    }
 }
 
 /// The process between keys, linear in arc length; constant before the first and after the last.
@@ -214,12 +277,22 @@ mod tests {
     fn track(keys: &[Key]) -> Track {
         let tool = Tool::rockwell_c();
         let path = Path::Polyline(&[[0.0, 0.0], [1.0, 0.0]]);
-        let scratch = Scratch {
-            path,
-            keys,
-            ..Scratch::new(&tool)
+        let (pieces, length) = path.pieces(DVec2::ONE, 0).unwrap();
+        let steel = Material::metal(Metal::Steel);
+        let ground = Ground {
+            along: Along::new(&pieces, DVec2::ONE, length),
+            surface: &steel,
+            hardness: None,
         };
-        Track::new(&scratch, &Material::metal(Metal::Steel)).unwrap()
+        Track::new(
+            &Scratch {
+                path,
+                keys,
+                ..Scratch::new(&tool)
+            },
+            &ground,
+        )
+        .unwrap()
     }
 
     /// A constant process needs one station; a force that sets in softly is followed closely.

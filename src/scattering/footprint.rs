@@ -13,19 +13,32 @@ const MOST_PIECES: usize = 7;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct Weight {
-    /// x at the pieces' borders, ascending.
-    borders: [f32; MOST_PIECES + 1],
-    /// Density at the left and right of each piece, 1/mm.
-    density: [[f32; 2]; MOST_PIECES],
+    pieces: [Piece; MOST_PIECES],
     count: u32,
     /// What of the flat surface beside the scratch belongs to the pixel, mm.
     window: [f32; 2],
 }
 
+/// Between two neighbouring corners of the region. Its weight is kept as such, not as a density: a pixel far
+/// smaller than the scratch has places that single precision hardly tells apart, and must still weigh 1.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+struct Piece {
+    from: f32,
+    to: f32,
+    weight: f32,
+    /// Density at the right end over the mean density, minus 1: -1 to 1.
+    skew: f32,
+}
+
 impl Weight {
     pub(crate) const NONE: Self = Self {
-        borders: [0.0; MOST_PIECES + 1],
-        density: [[0.0; 2]; MOST_PIECES],
+        pieces: [Piece {
+            from: 0.0,
+            to: 0.0,
+            weight: 0.0,
+            skew: 0.0,
+        }; MOST_PIECES],
         count: 0,
         window: [0.0; 2],
     };
@@ -66,7 +79,7 @@ impl Weight {
                 [0, 1].map(|i| (high[i] - low[i]).max(0.0) / pixel_area),
             );
         }
-        weight.window = [weight.borders[0], weight.borders[weight.count as usize]];
+        weight.window = weight.support();
         weight
     }
 
@@ -80,34 +93,38 @@ impl Weight {
         weight
     }
 
-    fn push(&mut self, from: f64, to: f64, density: [f64; 2]) {
-        let i = self.count as usize;
-        self.borders[i] = single(from);
-        self.borders[i + 1] = single(to);
-        self.density[i] = density.map(single);
-        self.count += 1;
+    fn push(&mut self, from: f64, to: f64, [left, right]: [f64; 2]) {
+        let mean = 0.5 * (left + right);
+        if mean > 0.0 {
+            let weight = mean * (to - from);
+            self.pieces[self.count as usize] = Piece {
+                from: single(from),
+                to: single(to),
+                weight: single(weight),
+                skew: single(right / mean - 1.0),
+            };
+            self.count += 1;
+        }
     }
 
-    /// The weight between x = `from` and x = `to` (negative if they are swapped).
-    ///
-    /// Each piece is integrated from its own ends, never as a difference of two running sums, so that a
-    /// facet a millionth of the pixel keeps its digits.
+    fn pieces(&self) -> &[Piece] {
+        &self.pieces[..self.count as usize]
+    }
+
+    /// Where the density is above 0, from and to.
+    fn support(&self) -> [f32; 2] {
+        match (self.pieces().first(), self.pieces().last()) {
+            (Some(first), Some(last)) => [first.from, last.to],
+            _ => [0.0; 2],
+        }
+    }
+
+    /// The weight between x = `from` and x = `to`; 0 if they are swapped.
     pub(crate) fn between(&self, from: f32, to: f32) -> f32 {
-        if to < from {
-            return -self.between(to, from);
-        }
-        let mut sum = 0.0;
-        for i in 0..self.count as usize {
-            let (start, end) = (self.borders[i], self.borders[i + 1]);
-            let (a, b) = (from.max(start), to.min(end));
-            if a < b {
-                let [left, right] = self.density[i];
-                let slope = (right - left) / (end - start);
-                let middle = 0.5 * ((a - start) + (b - start));
-                sum += (b - a) * (left + slope * middle);
-            }
-        }
-        sum
+        self.pieces()
+            .iter()
+            .map(|piece| piece.between(from, to))
+            .sum()
     }
 
     /// The weight of the flat surface that the scratch takes from the pixel between x = `from` and `to`.
@@ -118,8 +135,34 @@ impl Weight {
 
     /// Whether any of `from..to` weighs anything.
     pub(crate) fn touches(&self, [from, to]: [f32; 2]) -> bool {
-        let last = self.borders[self.count as usize];
-        self.count > 0 && from < last && to > self.borders[0]
+        let [first, last] = self.support();
+        self.count > 0 && from <= last && to >= first
+    }
+}
+
+impl Piece {
+    /// The part of its weight between x = `from` and x = `to`. Differences are taken of places, never of
+    /// running sums, so that a facet a millionth of the pixel keeps its digits.
+    fn between(&self, from: f32, to: f32) -> f32 {
+        let width = self.to - self.from;
+        if width <= 0.0 {
+            // Thinner than single precision can tell: all of it lies at one place.
+            return if from <= self.from && self.from < to {
+                self.weight
+            } else {
+                0.0
+            };
+        }
+        let (a, b) = (from.max(self.from), to.min(self.to));
+        if a >= b {
+            return 0.0;
+        }
+        if a == self.from && b == self.to {
+            return self.weight;
+        }
+        let off_middle = ((a - self.from) - (self.to - b)) / width;
+        let share = (b - a) / width * (1.0 + self.skew * off_middle);
+        self.weight * share
     }
 }
 
@@ -146,6 +189,19 @@ mod tests {
         }
     }
 
+    /// However small the pixel beside its distance from the centre line, all of it weighs 1.
+    #[test]
+    fn tiny_pixel_weighs_one() {
+        for size in [1e-3, 1e-6, 1e-9] {
+            let edge = |x: f64, y: f64| DVec2::new(x, y) * size;
+            let pixel = Region::parallelogram(edge(1.0, 0.3), edge(-0.2, 0.9));
+            let far = DVec2::new(-37.0, 5.0);
+            let weight = Weight::of_region(&pixel, far, DVec2::from_angle(0.3), pixel.area());
+            let all = weight.between(-100.0, 100.0);
+            assert!((all - 1.0).abs() < 1e-6, "{size}: {all}");
+        }
+    }
+
     /// An upright box of width 2 weighs x/2 up to x.
     #[test]
     fn box_is_linear() {
@@ -155,9 +211,6 @@ mod tests {
             (weight.between(-1.0, 0.5) - 0.75).abs() < 1e-6,
             "not linear"
         );
-        assert!(
-            (weight.between(0.5, -1.0) + 0.75).abs() < 1e-6,
-            "not signed"
-        );
+        assert_eq!(weight.between(0.5, -1.0), 0.0, "swapped");
     }
 }

@@ -5,6 +5,7 @@
 //! zones ([`Shading::eval`]). Nothing here allocates, locks or fails.
 
 mod footprint;
+mod layers;
 mod relief;
 mod shading;
 mod visibility;

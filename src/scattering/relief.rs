@@ -9,7 +9,10 @@ use glam::{DVec2, Vec2, Vec3};
 pub(crate) const MOST_RELIEFS: usize = 16;
 
 /// Vertices that a shading point holds for all its scratches together.
-pub(crate) const MOST_SLOTS: usize = 152;
+pub(crate) const MOST_SLOTS: usize = 144;
+
+/// Different finishes that a shading point holds. Zones of further ones reflect like the last.
+pub(crate) const MOST_FINISHES: usize = 12;
 
 /// A shadow at grazing light is followed to this many times the height it falls from (down to 2.9 degrees).
 pub(crate) const LONGEST_SHADOW: f32 = 20.0;
@@ -27,6 +30,10 @@ pub(crate) struct Zones {
     seen: [[f32; 2]; MOST_SLOTS],
     /// How much that part weighs in the pixel.
     weight: [f32; MOST_SLOTS],
+    /// Which of `finishes` the facet has.
+    finish: [u8; MOST_SLOTS],
+    finishes: [Finish; MOST_FINISHES],
+    finish_count: u32,
     used: u32,
 }
 
@@ -43,7 +50,6 @@ pub(crate) struct Relief {
     /// What of the pixel's plane the viewer sees through this scratch, from and to.
     seen_flat: [f32; 2],
     weight: Weight,
-    finish: Finish,
 }
 
 impl Zones {
@@ -55,35 +61,53 @@ impl Zones {
             normal_z: [0.0; MOST_SLOTS],
             seen: [[0.0; 2]; MOST_SLOTS],
             weight: [0.0; MOST_SLOTS],
+            finish: [0; MOST_SLOTS],
+            finishes: [Finish::BLACK; MOST_FINISHES],
+            finish_count: 0,
             used: 0,
         }
     }
 
     pub(crate) fn clear(&mut self) {
         self.used = 0;
+        self.finish_count = 0;
     }
 
-    /// Free slots for a cross-section of `vertices` points: its x and z, to be filled in. Nothing is taken
-    /// until [`Self::prepare`] keeps them.
-    pub(crate) fn free(&mut self, vertices: usize) -> Option<(&mut [f32], &mut [f32])> {
-        let first = self.used as usize;
-        let slots = first..first + vertices;
-        (slots.end <= MOST_SLOTS).then(|| (&mut self.x[slots.clone()], &mut self.z[slots]))
+    /// The number of a finish among those that this point holds.
+    pub(crate) fn finish(&mut self, finish: &Finish) -> u8 {
+        let held = &self.finishes[..self.finish_count as usize];
+        let known = held.iter().position(|other| other == finish);
+        let number = known.unwrap_or(held.len().min(MOST_FINISHES - 1));
+        if number == held.len() {
+            self.finishes[number] = *finish;
+            self.finish_count += 1;
+        }
+        u8::try_from(number).unwrap_or(0)
     }
 
-    /// Prepares the cross-section in the next `vertices` free slots for a view. Nothing is kept if none of
-    /// it lies in the pixel.
+    /// Whether there is room for a cross-section of so many vertices.
+    pub(crate) fn has_room(&self, vertices: usize) -> bool {
+        self.used as usize + vertices <= MOST_SLOTS
+    }
+
+    /// Prepares a cross-section, for which there is room, for a view; `finish` gives the number of each facet's
+    /// finish. Nothing is kept if none of it lies in the pixel.
     pub(crate) fn prepare(
         &mut self,
-        vertices: usize,
+        (xs, zs): (&[f32], &[f32]),
+        finish: impl Iterator<Item = u8>,
         across: Vec2,
         weight: Weight,
-        finish: Finish,
         view: Vec3,
     ) -> Option<Relief> {
+        let vertices = xs.len();
         let first = self.used as usize;
         let slots = first..first + vertices;
-        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots.clone()]);
+        self.x[slots.clone()].copy_from_slice(xs);
+        self.z[slots.clone()].copy_from_slice(zs);
+        for (own, number) in self.finish[slots.clone()].iter_mut().zip(finish) {
+            *own = number;
+        }
         let v = Across {
             x: view.truncate().dot(across),
             z: view.z,
@@ -104,7 +128,6 @@ impl Zones {
             gain: 1.0,
             seen_flat,
             weight,
-            finish,
         };
         for k in first..first + vertices - 1 {
             let run = Vec2::new(self.x[k + 1] - self.x[k], self.z[k + 1] - self.z[k]);
@@ -130,20 +153,10 @@ impl Zones {
         relief.weight.between(from, to).max(0.0)
     }
 
-    /// What one relief reflects (RGB, base BRDF times cosine, weighed), and the share of the pixel's flat
-    /// surface that it takes from this light.
-    pub(crate) fn reflect(&self, relief: &Relief, pair: &Pair) -> (Vec3, f32) {
-        let across = relief.across;
-        let turned = |w: Vec3| {
-            let along = Vec2::new(-across.y, across.x);
-            Vec3::new(w.truncate().dot(across), w.truncate().dot(along), w.z)
-        };
-        let pair = Pair {
-            view: turned(pair.view),
-            light: turned(pair.light),
-            half: turned(pair.half),
-            view_half: pair.view_half,
-        };
+    /// Adds what one relief reflects to each finish's lobe (base BRDF's lobe times cosine, weighed), and
+    /// returns the share of the pixel's flat surface that it takes from this light.
+    fn reflect(&self, relief: &Relief, pair: &Pair, lobes: &mut [f32; MOST_FINISHES]) -> f32 {
+        let pair = pair.turned(relief.across);
         let slots = relief.first as usize..(relief.first + relief.vertices) as usize;
         let (xs, zs) = (&self.x[slots.clone()], &self.z[slots.clone()]);
         let light = Across {
@@ -151,7 +164,6 @@ impl Zones {
             z: pair.light.z,
         };
         let view_slope = pair.view.x / pair.view.z;
-        let mut lobes = 0.0;
         let horizon = sweep(xs, zs, light, |k, lit| {
             let slot = relief.first as usize + k;
             if self.weight[slot] == 0.0 {
@@ -166,12 +178,26 @@ impl Zones {
             };
             if weight > 0.0 {
                 let normal = Vec3::new(self.normal_x[slot], 0.0, self.normal_z[slot]);
-                lobes += weight * relief.finish.lobe_cos(normal, &pair);
+                let finish = self.finish[slot] as usize;
+                let lobe = self.finishes[finish].lobe_cos(normal, &pair);
+                lobes[finish] += relief.gain * weight * lobe;
             }
         });
         let lit_flat = light.flat_ends(horizon, relief.seen_flat);
-        let taken = relief.gain * relief.weight.taken(lit_flat);
-        (relief.finish.shared(&pair) * (lobes * relief.gain), taken)
+        relief.gain * relief.weight.taken(lit_flat)
+    }
+
+    /// What all reliefs reflect (RGB, BRDF times cosine, weighed), and the share of the pixel's flat surface
+    /// that they take from this light.
+    pub(crate) fn reflect_all(&self, reliefs: &[Relief], pair: &Pair) -> (Vec3, f32) {
+        let mut lobes = [0.0; MOST_FINISHES];
+        let taken = reliefs
+            .iter()
+            .map(|relief| self.reflect(relief, pair, &mut lobes))
+            .sum();
+        let finishes = &self.finishes[..self.finish_count as usize];
+        let colour = |(finish, lobe): (&Finish, &f32)| finish.shared(pair) * *lobe;
+        (finishes.iter().zip(&lobes).map(colour).sum(), taken)
     }
 }
 
@@ -183,7 +209,6 @@ impl Relief {
         gain: 0.0,
         seen_flat: [0.0; 2],
         weight: Weight::NONE,
-        finish: Finish::BLACK,
     };
 
     /// The share of the pixel that the viewer sees this relief in.

@@ -1,14 +1,23 @@
 //! One shading point seen from one direction: everything that does not depend on the light.
 
 use super::footprint::Weight;
+use super::layers::Layered;
 use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, Relief, Zones};
 use crate::brdf::{Brdf, Finish, Pair};
-use crate::error::{Error, Result};
-use crate::pattern::{Frame, Hit, MOST_VERTICES, Metric, Pattern, Region, SurfacePoint};
+use crate::error::{Error, Result, all_finite, in_range};
+use crate::formation::MOST_LAYERS;
+use crate::pattern::{Finishes, Frame, Hit, MOST_VERTICES, Metric, Pattern, Region, SurfacePoint};
 use glam::{DVec2, Vec2, Vec3};
 
 /// The shift of relief against the plane at a grazing view is followed to this many times its height.
 const LONGEST_PARALLAX: f64 = 20.0;
+
+/// Weights that should add up to 1 do so within this; less flat surface than that is none, or it would shine
+/// through a pixel that lies within a scratch.
+const ROUNDING: f32 = 1e-6;
+
+/// Points of a cross-section that is shaded by itself.
+const MOST_POINTS: usize = 100;
 
 /// What [`Shading::eval`] gives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -100,7 +109,12 @@ impl Shading {
         view: [f32; 3],
     ) -> Result<()> {
         self.begin(Finish::new(&surface.check()?), view)?;
-        crate::error::in_range("vertex_count", vertices.len() as f64, 2.0, 100.0)?;
+        in_range(
+            "vertex_count",
+            vertices.len() as f64,
+            2.0,
+            MOST_POINTS as f64,
+        )?;
         let finish = Finish::new(&scratched.check()?);
         let weight = match pixel {
             CrossFootprint::Whole { margin_mm } => {
@@ -116,14 +130,14 @@ impl Shading {
                 Weight::of_region(&region, center_line, DVec2::X, region.area())
             }
         };
-        let Some((xs, zs)) = self.zones.free(vertices.len()) else {
-            return Ok(());
-        };
-        for (i, vertex) in vertices.iter().enumerate() {
-            (xs[i], zs[i]) = (vertex[0], vertex[1]);
+        let (mut xs, mut zs) = ([0.0; MOST_POINTS], [0.0; MOST_POINTS]);
+        for ((x, z), vertex) in xs.iter_mut().zip(&mut zs).zip(vertices) {
+            [*x, *z] = *vertex;
         }
         if self.view.z > 0.0 {
-            self.keep(vertices.len(), Vec2::X, weight, finish);
+            let points = (&xs[..vertices.len()], &zs[..vertices.len()]);
+            let number = self.zones.finish(&finish);
+            self.keep(points, core::iter::repeat(number), Vec2::X, weight);
             self.share_out();
         }
         Ok(())
@@ -148,13 +162,13 @@ impl Shading {
             return [0.0; 3];
         }
         let pair = Pair::new(self.view, light);
-        let (mut sum, mut taken) = (Vec3::ZERO, 0.0);
-        for relief in &self.reliefs[..self.relief_count as usize] {
-            let (reflected, share) = self.zones.reflect(relief, &pair);
-            sum += reflected;
-            taken += share;
-        }
-        let flat = (1.0 - taken).max(0.0);
+        let reliefs = &self.reliefs[..self.relief_count as usize];
+        let (mut sum, taken) = self.zones.reflect_all(reliefs, &pair);
+        let flat = if taken < 1.0 - ROUNDING {
+            1.0 - taken
+        } else {
+            0.0
+        };
         sum += self.surface.shared(&pair) * (flat * self.surface.lobe_cos(Vec3::Z, &pair));
         match output {
             Output::BrdfCos => sum.to_array(),
@@ -170,12 +184,8 @@ impl Shading {
         self.zones.clear();
         self.view = direction(view).unwrap_or(Vec3::ZERO);
         if self.view == Vec3::ZERO {
-            let given = f64::from(view[0]) + f64::from(view[1]) + f64::from(view[2]);
-            return Err(Error::number(
-                "view",
-                given,
-                "a finite vector other than zero",
-            ));
+            all_finite("view", &view)?;
+            return Err(Error::number("view", 0.0, "a vector of any length above 0"));
         }
         Ok(())
     }
@@ -192,36 +202,46 @@ impl Shading {
     fn add(&mut self, hit: &Hit<'_>, pixel_area: f64) {
         self.scratch_count += 1;
         let across = DVec2::new(hit.travel.y, -hit.travel.x);
-        let vertices = hit.track.vertex_count();
         let weight = Weight::of_region(&hit.region, hit.origin, across, pixel_area);
-        let room = (self.relief_count as usize) < MOST_RELIEFS;
-        match self.zones.free(vertices) {
-            Some((xs, zs)) if room => {
-                hit.track.sample(hit.at, xs, zs);
-                self.keep(vertices, across.as_vec2(), weight, hit.track.finish);
+        let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
+        let vertices = hit.track.vertex_count();
+        let (xs, zs) = (&mut xs[..vertices], &mut zs[..vertices]);
+        hit.track.sample(hit.at, xs, zs);
+        let Finishes { layers, bulk } = &hit.track.finishes;
+        let layered = Layered::cut(xs, zs, layers.iter().map(|(interface, _)| *interface));
+        let (xs, zs, layer) = layered.parts();
+        if (self.relief_count as usize) < MOST_RELIEFS && self.zones.has_room(xs.len()) {
+            let mut numbers = [0; MOST_LAYERS + 1];
+            let finishes = layers.iter().map(|(_, finish)| finish).chain([bulk]);
+            for (number, finish) in numbers.iter_mut().zip(finishes) {
+                *number = self.zones.finish(finish);
             }
-            _ => self.widen(hit, across, &weight),
+            let number = layer.iter().map(|&layer| numbers[layer as usize]);
+            self.keep((xs, zs), number, across.as_vec2(), weight);
+        } else {
+            self.widen(weight.taken([xs[0], xs[xs.len() - 1]]), across);
         }
     }
 
-    /// Keeps the cross-section just written to the free slots.
-    fn keep(&mut self, vertices: usize, across: Vec2, weight: Weight, finish: Finish) {
-        let prepared = self
+    fn keep(
+        &mut self,
+        points: (&[f32], &[f32]),
+        finish: impl Iterator<Item = u8>,
+        across: Vec2,
+        weight: Weight,
+    ) {
+        if let Some(relief) = self
             .zones
-            .prepare(vertices, across, weight, finish, self.view);
-        if let Some(relief) = prepared {
+            .prepare(points, finish, across, weight, self.view)
+        {
             self.reliefs[self.relief_count as usize] = relief;
             self.relief_count += 1;
         }
     }
 
-    /// Counts a scratch for which there is no room with the one it is most aligned to: nothing is lost.
-    fn widen(&mut self, hit: &Hit<'_>, across: DVec2, weight: &Weight) {
-        let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
-        let vertices = hit.track.vertex_count();
-        hit.track
-            .sample(hit.at, &mut xs[..vertices], &mut zs[..vertices]);
-        let more = weight.taken([xs[0], xs[vertices - 1]]);
+    /// Counts a scratch that takes `more` of the pixel, and for which there is no room, with the one it is most
+    /// aligned to: nothing is lost.
+    fn widen(&mut self, more: f32, across: DVec2) {
         let reliefs = &mut self.reliefs[..self.relief_count as usize];
         let alike = reliefs
             .iter_mut()
