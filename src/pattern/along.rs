@@ -72,12 +72,59 @@ impl<'a> Along<'a> {
         self.direction(i - 1, 1.0).angle_to(self.direction(i, 0.0))
     }
 
+    /// The path's pieces, cut at these ascending shares of arc length too.
+    pub(crate) fn cut_at(&self, cuts: &[f64]) -> Vec<Piece> {
+        let mut pieces = Vec::with_capacity(self.pieces.len() + cuts.len());
+        let mut cuts = cuts.iter().copied().peekable();
+        for (i, &piece) in self.pieces.iter().enumerate() {
+            let mut rest = piece;
+            let mut done = 0.0;
+            while let Some(cut) = cuts.next_if(|&cut| cut < piece.at[1]) {
+                let t = self.parameter(i, cut);
+                let (first, second) = self.split(&rest, (t - done) / (1.0 - done), cut);
+                pieces.push(first);
+                (rest, done) = (second, t);
+            }
+            pieces.push(rest);
+        }
+        pieces
+    }
+
+    /// Both sides of a piece cut at parameter t (de Casteljau), which is at this share of arc length.
+    fn split(&self, piece: &Piece, t: f64, at: f64) -> (Piece, Piece) {
+        let [a, b, c, d] = piece.control;
+        let (ab, bc, cd) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
+        let (abc, bcd) = (ab.lerp(bc, t), bc.lerp(cd, t));
+        let middle = abc.lerp(bcd, t);
+        let scaled = piece.control.map(|p| p * self.units_per_uv);
+        let parting = tangent(&scaled, t) / self.units_per_uv;
+        let first = Piece {
+            control: [a, ab, abc, middle],
+            at: [piece.at[0], at],
+            parting: [piece.parting[0], parting],
+            ..*piece
+        };
+        let second = Piece {
+            control: [middle, bcd, cd, d],
+            at: [at, piece.at[1]],
+            parting: [parting, piece.parting[1]],
+            changed: true,
+            ..*piece
+        };
+        (first, second)
+    }
+
     /// The piece and its parameter at a share of arc length.
     fn locate(&self, at: f64) -> (usize, f64) {
         let i = self
             .pieces
             .partition_point(|piece| piece.at[1] < at)
             .min(self.pieces.len() - 1);
+        (i, self.parameter(i, at))
+    }
+
+    /// The parameter of piece i at a share of the path's arc length.
+    fn parameter(&self, i: usize, at: f64) -> f64 {
         let piece = &self.pieces[i];
         let [from, to] = piece.at;
         let wanted = ((at - from) / (to - from)).clamp(0.0, 1.0);
@@ -91,7 +138,7 @@ impl<'a> Along<'a> {
                 high = middle;
             }
         }
-        (i, 0.5 * (low + high))
+        0.5 * (low + high)
     }
 }
 

@@ -78,6 +78,7 @@ impl PatternBuilder {
             hardness: self.hardness.as_ref(),
         };
         let track = Track::new(scratch, &ground)?;
+        let pieces = ground.along.cut_at(&track.cuts());
         let all = (self.pieces.len() + pieces.len()) as f64;
         in_range("piece_count", all, 0.0, f64::from(u32::MAX))?;
         self.pieces.extend(pieces);

@@ -24,6 +24,8 @@ pub(crate) struct Piece {
     /// mean of both at a corner.
     pub parting: [DVec2; 2],
     pub scratch: u32,
+    /// Its cross-section differs from the piece's before it.
+    pub changed: bool,
 }
 
 /// The most that one piece of a curve turns.
@@ -203,6 +205,7 @@ fn piece(curve: &CubicBez, at: [f64; 2], scale: DVec2, scratch: u32) -> Piece {
         at,
         parting: [tangent(0.0, 1e-4), tangent(1.0, -1e-4)].map(|t| t / scale),
         scratch,
+        changed: false,
     }
 }
 

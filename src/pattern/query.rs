@@ -5,7 +5,6 @@ use super::path::Piece;
 use super::point::Metric;
 use super::region::Region;
 use super::{Pattern, Track};
-use crate::single;
 use glam::DVec2;
 
 /// Pieces gathered before they are joined into runs. More are handled too, in several batches.
@@ -19,7 +18,7 @@ const RUN_COS: f64 = 0.9976;
 pub(crate) struct Hit<'p> {
     pub track: &'p Track,
     /// Share of the scratch's arc length at `origin`.
-    pub at: f32,
+    pub at: f64,
     /// A point of the scratch's centre line.
     pub origin: DVec2,
     /// The centre line's unit direction of travel there.
@@ -85,6 +84,7 @@ impl Pattern {
         let [a, b] = [first, next].map(|number| &self.pieces[number as usize]);
         let straight = |a: DVec2, b: DVec2| a.dot(b) > RUN_COS * (a.length() * b.length());
         next == last + 1
+            && !b.changed
             && a.scratch == b.scratch
             && straight(a.chord(), b.chord())
             && straight(a.parting[0], b.parting[1])
@@ -113,7 +113,7 @@ impl Pattern {
         };
         Some(Hit {
             track,
-            at: single(at),
+            at,
             origin,
             travel,
             region,

@@ -15,6 +15,10 @@ pub(crate) const MOST_VERTICES: usize = MOST_FACETS + 5;
 /// of its own size.
 const INTERPOLATION_ERROR: f64 = 0.01;
 
+/// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
+/// this share of its half width or height.
+const MOST_CHANGE: f64 = 0.2;
+
 /// Stations between two keys are at most 2 to the power of this.
 const MOST_HALVINGS: u32 = 7;
 
@@ -23,7 +27,7 @@ const MOST_HALVINGS: u32 = 7;
 #[derive(Clone, Debug)]
 pub(crate) struct Track {
     /// Where each station is, as a share of arc length, ascending.
-    at: Vec<f32>,
+    at: Vec<f64>,
     /// `vertex_count` points per station, station after station.
     vertices: Vec<Vec2>,
     vertex_count: usize,
@@ -122,7 +126,7 @@ impl Track {
     }
 
     fn push(&mut self, at: f64, points: &[DVec2]) {
-        self.at.push(single(at));
+        self.at.push(at);
         for point in points {
             self.extent.half_width_mm = self.extent.half_width_mm.max(single(point.x.abs()));
             self.extent.height_mm = self.extent.height_mm.max(single(point.y.abs()));
@@ -132,7 +136,7 @@ impl Track {
     }
 
     /// The cross-section's vertices at a share of arc length, as x and z written to the two slices.
-    pub(crate) fn sample(&self, at: f32, xs: &mut [f32], zs: &mut [f32]) {
+    pub(crate) fn sample(&self, at: f64, xs: &mut [f32], zs: &mut [f32]) {
         let count = self.vertex_count;
         let next = self
             .at
@@ -141,7 +145,7 @@ impl Track {
         let last = next.saturating_sub(1);
         let span = self.at[next] - self.at[last];
         let mix = if span > 0.0 {
-            ((at - self.at[last]) / span).clamp(0.0, 1.0)
+            single(((at - self.at[last]) / span).clamp(0.0, 1.0))
         } else {
             0.0
         };
@@ -151,6 +155,28 @@ impl Track {
             let point = a.lerp(*b, mix);
             (*x, *z) = (point.x, point.y);
         }
+    }
+
+    /// Shares of arc length between which the cross-section changes by [`MOST_CHANGE`] of its largest size.
+    pub(crate) fn cuts(&self) -> Vec<f64> {
+        let size =
+            Vec2::new(self.extent.half_width_mm, self.extent.height_mm).max(Vec2::splat(1e-30));
+        let stations: Vec<&[Vec2]> = self.vertices.chunks(self.vertex_count).collect();
+        let change = |pair: &[&[Vec2]]| {
+            let between = pair[0].iter().zip(pair[1]).map(|(a, b)| (*b - *a) / size);
+            between.fold(0.0, |most: f32, step| most.max(step.abs().max_element()))
+        };
+        let (mut cuts, mut changed) = (Vec::new(), 0.0);
+        for (pair, at) in stations.windows(2).zip(self.at.windows(2)) {
+            let (from, to) = (at[0], at[1]);
+            let step = f64::from(change(pair));
+            while changed + step > MOST_CHANGE * (cuts.len() + 1) as f64 {
+                let share = (MOST_CHANGE * (cuts.len() + 1) as f64 - changed) / step;
+                cuts.push(from + (to - from) * share);
+            }
+            changed += step;
+        }
+        cuts
     }
 
     pub(crate) fn vertex_count(&self) -> usize {
@@ -330,11 +356,7 @@ mod tests {
         for i in 1..=100_000_u32 {
             let mut next = [[0.0; MOST_VERTICES]; 2];
             let [xs, zs] = &mut next;
-            track.sample(
-                single(f64::from(i) / 1e5),
-                &mut xs[..count],
-                &mut zs[..count],
-            );
+            track.sample(f64::from(i) / 1e5, &mut xs[..count], &mut zs[..count]);
             for (a, b) in last.iter().flatten().zip(next.iter().flatten()) {
                 assert!((a - b).abs() < 2e-4, "step of {} mm at {i}", (a - b).abs());
             }

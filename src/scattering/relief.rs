@@ -3,7 +3,7 @@
 use super::footprint::Weight;
 use super::visibility::{Across, overlap, sweep};
 use crate::brdf::{Finish, Pair};
-use glam::{DVec2, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 
 /// Scratches that a shading point holds one by one; what comes on top widens those it resembles.
 pub(crate) const MOST_RELIEFS: usize = 16;
@@ -45,6 +45,8 @@ pub(crate) struct Relief {
     across: Vec2,
     first: u32,
     vertices: u32,
+    /// The finish of its deepest zones.
+    finish: u8,
     /// How many scratches like this one it stands for, and how far crowding thins them.
     pub gain: f32,
     /// What of the pixel's plane the viewer sees through this scratch, from and to.
@@ -125,6 +127,7 @@ impl Zones {
             across,
             first: self.used,
             vertices: u32::try_from(vertices).unwrap_or(0),
+            finish: self.finish[first + vertices / 2],
             gain: 1.0,
             seen_flat,
             weight,
@@ -206,6 +209,7 @@ impl Relief {
         across: Vec2::X,
         first: 0,
         vertices: 0,
+        finish: 0,
         gain: 0.0,
         seen_flat: [0.0; 2],
         weight: Weight::NONE,
@@ -216,8 +220,13 @@ impl Relief {
         self.gain * self.weight.taken(self.seen_flat)
     }
 
-    /// How alike the direction is, 0 to 1.
-    pub(crate) fn alignment(&self, across: DVec2) -> f32 {
-        self.across.dot(across.as_vec2()).abs()
+    /// How well this relief can stand for a scratch across `across` with finish number `finish`: 0 to 1, never 0.
+    pub(crate) fn likeness(&self, across: Vec2, finish: u8) -> f32 {
+        let alignment = self.across.dot(across).abs().powi(8).max(1e-3);
+        if self.finish == finish {
+            alignment
+        } else {
+            1e-3 * alignment
+        }
     }
 }

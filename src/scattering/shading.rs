@@ -210,16 +210,18 @@ impl Shading {
         let Finishes { layers, bulk } = &hit.track.finishes;
         let layered = Layered::cut(xs, zs, layers.iter().map(|(interface, _)| *interface));
         let (xs, zs, layer) = layered.parts();
+        let mut numbers = [0; MOST_LAYERS + 1];
+        let finishes = layers.iter().map(|(_, finish)| finish).chain([bulk]);
+        for (number, finish) in numbers.iter_mut().zip(finishes) {
+            *number = self.zones.finish(finish);
+        }
+        let number = layer.iter().map(|&layer| numbers[layer as usize]);
+        let across = across.as_vec2();
         if (self.relief_count as usize) < MOST_RELIEFS && self.zones.has_room(xs.len()) {
-            let mut numbers = [0; MOST_LAYERS + 1];
-            let finishes = layers.iter().map(|(_, finish)| finish).chain([bulk]);
-            for (number, finish) in numbers.iter_mut().zip(finishes) {
-                *number = self.zones.finish(finish);
-            }
-            let number = layer.iter().map(|&layer| numbers[layer as usize]);
-            self.keep((xs, zs), number, across.as_vec2(), weight);
+            self.keep((xs, zs), number, across, weight);
         } else {
-            self.widen(weight.taken([xs[0], xs[xs.len() - 1]]), across);
+            let more = weight.taken([xs[0], xs[xs.len() - 1]]);
+            self.widen(more, across, number.max().unwrap_or(0));
         }
     }
 
@@ -239,16 +241,16 @@ impl Shading {
         }
     }
 
-    /// Counts a scratch that takes `more` of the pixel, and for which there is no room, with the one it is most
-    /// aligned to: nothing is lost.
-    fn widen(&mut self, more: f32, across: DVec2) {
+    /// Shares a scratch that takes `more` of the pixel, and for which there is no room, out between those that
+    /// resemble it, in proportion to what they show: nothing is lost.
+    fn widen(&mut self, more: f32, across: Vec2, finish: u8) {
         let reliefs = &mut self.reliefs[..self.relief_count as usize];
-        let alike = reliefs
-            .iter_mut()
-            .filter(|relief| relief.coverage() > 0.0)
-            .max_by(|a, b| a.alignment(across).total_cmp(&b.alignment(across)));
-        if let Some(relief) = alike {
-            relief.gain *= 1.0 + more / relief.coverage();
+        let weighed = |relief: &Relief| relief.likeness(across, finish) * relief.coverage();
+        let all: f32 = reliefs.iter().map(weighed).sum();
+        if all > 0.0 {
+            for relief in reliefs {
+                relief.gain *= 1.0 + more * relief.likeness(across, finish) / all;
+            }
         }
     }
 
