@@ -2,7 +2,8 @@
 //!
 //! Data flows one way: [`formation`] makes cross-sections from tools, forces and materials; [`pattern`] runs
 //! them along curves in texture space and finds those a pixel sees; [`scattering`] turns what it sees into a
-//! BRDF. [`brdf`] holds the base BRDFs of single zones. `capi` is the C face of the same.
+//! BRDF. [`brdf`] holds the base BRDFs of single zones. `files` (a cargo feature, on by default) reads tools from
+//! 3D models. `capi` is the C face of the same.
 //!
 //! After Bosch, Pueyo, Mérillou and Ghazanfarpour, "A Physically-Based Model for Rendering Realistic
 //! Scratches", Computer Graphics Forum 23(3), 2004.
@@ -46,6 +47,8 @@
 pub mod brdf;
 pub mod capi;
 mod error;
+#[cfg(feature = "files")]
+pub mod files;
 pub mod formation;
 pub mod pattern;
 pub mod scattering;

@@ -7,7 +7,7 @@ use glam::{DMat3, DVec2, DVec3};
 use std::collections::HashMap;
 
 /// Most vertices or triangles of a tool.
-const MOST: usize = 50_000_000;
+pub(crate) const MOST_IN_MESH: usize = 50_000_000;
 
 /// A tool's surface. Its lower envelope along any direction lies on edges; on a closed smooth surface only
 /// few of them, those where it turns over.
@@ -27,14 +27,25 @@ struct Edge {
 impl Mesh {
     /// A mesh in mm, its lowest point moved to the origin. Vertices at the same place count as one.
     pub(crate) fn from_triangles(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Result<Self> {
-        in_range("triangle_count", triangles.len() as f64, 1.0, MOST as f64)?;
-        let (vertices, number) = welded(vertices)?;
+        in_range(
+            "triangle_count",
+            triangles.len() as f64,
+            1.0,
+            MOST_IN_MESH as f64,
+        )?;
+        in_range(
+            "position_count",
+            vertices.len() as f64,
+            1.0,
+            MOST_IN_MESH as f64,
+        )?;
+        let (vertices, number) = welded("positions", vertices)?;
         let mut sides = Vec::with_capacity(3 * triangles.len());
         for (i, triangle) in triangles.iter().enumerate() {
             let mut corners = [0; 3];
             for (corner, &index) in corners.iter_mut().zip(triangle) {
                 *corner = *number.get(index as usize).ok_or_else(|| {
-                    let accepted = "indices below vertex_count";
+                    let accepted = "indices below position_count";
                     Error::number("", f64::from(index), accepted).within("triangles", i)
                 })?;
             }
@@ -65,9 +76,9 @@ impl Mesh {
 
     /// A flat sheet across the travel with this lower edge (x to the right, z up, mm), moved likewise.
     pub(crate) fn from_profile(points: &[[f64; 2]]) -> Result<Self> {
-        in_range("point_count", points.len() as f64, 2.0, MOST as f64)?;
+        in_range("point_count", points.len() as f64, 2.0, MOST_IN_MESH as f64)?;
         let places: Vec<DVec3> = points.iter().map(|p| DVec3::new(p[0], 0.0, p[1])).collect();
-        let (vertices, number) = welded(&places)?;
+        let (vertices, number) = welded("points_mm", &places)?;
         let edges = number
             .windows(2)
             .filter(|pair| pair[0] != pair[1])
@@ -167,15 +178,14 @@ impl Edge {
     }
 }
 
-/// The distinct places among `points`, and the number of each point's place.
-fn welded(points: &[DVec3]) -> Result<(Vec<DVec3>, Vec<u32>)> {
-    in_range("vertex_count", points.len() as f64, 1.0, MOST as f64)?;
+/// The distinct places among `points`, given as the array `name`, and the number of each point's place.
+fn welded(name: &'static str, points: &[DVec3]) -> Result<(Vec<DVec3>, Vec<u32>)> {
     let mut places = Vec::new();
     let mut known = HashMap::with_capacity(points.len());
     let mut number = Vec::with_capacity(points.len());
     for (i, point) in points.iter().enumerate() {
         for value in point.to_array() {
-            in_range("", value, -1e7, 1e7).map_err(|error| error.within("vertices", i))?;
+            in_range("", value, -1e7, 1e7).map_err(|error| error.within(name, i))?;
         }
         // Adding 0 turns -0 into 0.
         let bits = (*point + DVec3::ZERO).to_array().map(f64::to_bits);

@@ -20,8 +20,12 @@ pub use cross_section::{CrossSection, Process};
 pub(crate) use facets::MOST_FACETS;
 pub use hardness::{HardnessMap, Reading};
 pub use material::{Layer, MOST_LAYERS, Material};
+#[cfg(feature = "files")]
+pub(crate) use mesh::MOST_IN_MESH;
 pub use orientation::Orientation;
 pub use penetration::{DepthLaw, Wanted};
 pub use pileup::{Peak, PileUpLaw};
 pub use plasticity::Plasticity;
 pub use tool::Tool;
+#[cfg(feature = "files")]
+pub(crate) use tool::check_unit;

@@ -96,7 +96,7 @@ impl Tool {
     /// Errors: no triangles, indices out of range, positions not finite, a tool that is smaller than 1e-6 mm or
     /// larger than 1e4 mm across.
     pub fn mesh(positions: &[[f64; 3]], triangles: &[[u32; 3]], mm_per_unit: f64) -> Result<Self> {
-        in_range("mm_per_unit", mm_per_unit, 1e-9, 1e9)?;
+        check_unit(mm_per_unit)?;
         let vertices: Vec<DVec3> = positions
             .iter()
             .map(|&position| DVec3::from(position) * mm_per_unit)
@@ -245,6 +245,11 @@ fn round_keel(radius: f64) -> Vec<[f64; 2]> {
         .chain(arc)
         .chain(side(radius))
         .collect()
+}
+
+/// The unit that a mesh is given in.
+pub(crate) fn check_unit(mm_per_unit: f64) -> Result<f64> {
+    in_range("mm_per_unit", mm_per_unit, 1e-9, 1e9)
 }
 
 fn check_height(height_mm: f64) -> Result<f64> {

@@ -1,0 +1,122 @@
+//! Tools as 3D models: which reader a file is for, and how much of it is read.
+
+use super::error::{FileError, Place, Result};
+use super::{obj, ply, stl};
+use crate::formation::{Tool, check_unit};
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Largest file that is read, bytes: 1 GiB.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// How a 3D model is written down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshFormat {
+    /// Wavefront OBJ: its vertices (`v`) and faces (`f`); all else is passed over.
+    Obj,
+    /// STL, text or binary, told apart by what the bytes hold.
+    Stl,
+    /// PLY, text or binary of either byte order: its elements `vertex` and `face`.
+    Ply,
+}
+
+impl MeshFormat {
+    /// By the end of a file's name, in upper or lower case.
+    fn of(path: &Path) -> Result<Self> {
+        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+        match extension.to_str() {
+            Some("obj") => Ok(Self::Obj),
+            Some("stl") => Ok(Self::Stl),
+            Some("ply") => Ok(Self::Ply),
+            _ => Err(FileError::new(
+                Place::Whole,
+                "a name that ends otherwise",
+                "names that end in .obj, .stl or .ply",
+            )),
+        }
+    }
+}
+
+/// A tool from a 3D model: OBJ, STL (text or binary) or PLY (text or binary), by the end of the file's name.
+///
+/// The file's unit is `mm_per_unit` mm (1e-9 to 1e9): 1 for mm, 25.4 for inches, 1000 for metres. z points up,
+/// the tool's tip down; polygons are cut into fans of triangles, and the mesh is then what [`Tool::mesh`] takes.
+/// At most 1 GiB.
+///
+/// Errors: a file that cannot be read, or that is broken, empty, cut short or too large; a vertex that is not
+/// finite, or not there; what [`Tool::mesh`] refuses.
+pub fn read_tool(path: &Path, mm_per_unit: f64) -> Result<Tool> {
+    check_unit(mm_per_unit)?;
+    MeshFormat::of(path)
+        .and_then(|format| tool_from_bytes(&read(path)?, format, mm_per_unit))
+        .map_err(|error| error.in_file(path))
+}
+
+/// As [`read_tool`], from a file's content.
+pub fn tool_from_bytes(bytes: &[u8], format: MeshFormat, mm_per_unit: f64) -> Result<Tool> {
+    check_unit(mm_per_unit)?;
+    if bytes.is_empty() {
+        return Err(FileError::new(
+            Place::Whole,
+            "holds no bytes",
+            "a 3D model: OBJ, STL or PLY",
+        ));
+    }
+    let polygons = match format {
+        MeshFormat::Obj => obj::polygons(bytes),
+        MeshFormat::Stl => stl::polygons(bytes),
+        MeshFormat::Ply => ply::polygons(bytes),
+    };
+    polygons?.into_tool(mm_per_unit)
+}
+
+/// A file's content. A folder, a pipe or a device is no file: opening one may block, reading one may never end.
+fn read(path: &Path) -> Result<Vec<u8>> {
+    let refused = |found: &'static str, accepted: &'static str| {
+        Err(FileError::new(Place::Whole, found, accepted))
+    };
+    let about = fs::metadata(path).map_err(unreadable)?;
+    if about.is_dir() {
+        return refused("is a folder", "a file");
+    }
+    if !about.is_file() {
+        return refused("is a pipe or a device", "a file");
+    }
+    let too_large = |bytes: u64| {
+        Err(FileError::new(
+            Place::Whole,
+            format!("holds {bytes} bytes"),
+            format!("at most {MOST_BYTES}"),
+        ))
+    };
+    if about.len() > MOST_BYTES {
+        return too_large(about.len());
+    }
+    let file = File::open(path).map_err(unreadable)?;
+    let mut bytes = Vec::new();
+    if bytes
+        .try_reserve(usize::try_from(about.len()).unwrap_or(usize::MAX))
+        .is_err()
+    {
+        return refused("is larger than the memory left", "a smaller file");
+    }
+    // A file may grow while it is read.
+    file.take(MOST_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(unreadable)?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return too_large(bytes.len() as u64);
+    }
+    Ok(bytes)
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "the form that map_err wants")]
+fn unreadable(error: io::Error) -> FileError {
+    let found = match error.kind() {
+        io::ErrorKind::NotFound => "is not there".to_owned(),
+        io::ErrorKind::PermissionDenied => "may not be read".to_owned(),
+        _ => format!("cannot be read ({error})"),
+    };
+    FileError::new(Place::Whole, found, "a file that is there and may be read")
+}

@@ -1,0 +1,16 @@
+//! What is read from files: tools as 3D models, from OBJ, STL and PLY.
+//!
+//! A path or bytes in, a [`Tool`](crate::formation::Tool) or a [`FileError`] out. What a file says of itself is
+//! checked against its size before it is believed, so that no file, whatever it holds, makes a reader panic
+//! or ask for more memory than its size explains.
+
+mod error;
+mod mesh;
+mod obj;
+mod ply;
+mod polygons;
+mod stl;
+mod text;
+
+pub use error::FileError;
+pub use mesh::{MeshFormat, read_tool, tool_from_bytes};
