@@ -58,6 +58,10 @@ typedef enum StriaeStatus {
    * A fault of the library's own. Please report it.
    */
   STRIAE_STATUS_INTERNAL = 2,
+  /**
+   * A file could not be read or used. Nothing was made or changed.
+   */
+  STRIAE_STATUS_FILE = 3,
 } StriaeStatus;
 
 /**
@@ -765,6 +769,38 @@ enum StriaeStatus striae_tool_wedge(double width_mm,
                                     struct StriaeTool **tool);
 
 /**
+ * Makes a tool from a triangle mesh. Any mesh will do: non-convex, open, unoriented. z points up, the tip down.
+ *
+ * The lowest point (the middle, if several are lowest) becomes the tip. Where the mesh leans over its own foot, the
+ * groove's wall stands upright. From 1e-6 to 1e4 mm across.
+ *
+ * @param positions position_count vertices x, y, z, in units of mm_per_unit; copied
+ * @param position_count 1 to 50000000
+ * @param triangles triangle_count times three indices into positions; copied
+ * @param triangle_count 1 to 50000000
+ * @param mm_per_unit 1e-9 to 1e9: 1 for mm, 25.4 for inches, 1000 for metres
+ * @param tool receives a handle to release with striae_tool_release(); NULL on failure
+ */
+enum StriaeStatus striae_tool_mesh(const double (*positions)[3],
+                                   size_t position_count,
+                                   const uint32_t (*triangles)[3],
+                                   size_t triangle_count,
+                                   double mm_per_unit,
+                                   struct StriaeTool **tool);
+
+/**
+ * Makes a flat sheet across the travel, such as a ground scraper, from its lower edge. Its lowest point becomes the
+ * tip. From 1e-6 to 1e4 mm across.
+ *
+ * @param points_mm point_count corners of the edge in order, x to the right of travel, z up; copied
+ * @param point_count 2 to 50000000
+ * @param tool receives a handle to release with striae_tool_release(); NULL on failure
+ */
+enum StriaeStatus striae_tool_profile(const double (*points_mm)[2],
+                                      size_t point_count,
+                                      struct StriaeTool **tool);
+
+/**
  * Makes a tool by name.
  *
  * @param preset a StriaeToolPreset
@@ -781,6 +817,24 @@ void striae_tool_retain(const struct StriaeTool *tool);
  * Drops a reference; the last one frees the tool. NULL is fine.
  */
 void striae_tool_release(const struct StriaeTool *tool);
+
+/**
+ * Makes a tool from a 3D model: OBJ, STL (text or binary) or PLY (text or binary), by the end of the file's name.
+ *
+ * z points up, the tip down; polygons become fans of triangles, and the mesh is then what striae_tool_mesh() takes.
+ * At most 1 GiB. A file that is missing, broken, empty, cut short, too large, holds a number that is not finite or
+ * claims more than it contains is answered with STRIAE_STATUS_FILE; striae_last_error() then names the file, the
+ * line (from 1) or byte (from 0), what was found and what is accepted.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param mm_per_unit the file's unit, 1e-9 to 1e9: 1 for mm, 25.4 for inches, 1000 for metres
+ * @param tool receives a handle to release with striae_tool_release(); NULL on failure
+ */
+enum StriaeStatus striae_tool_load(const char *path,
+                                   double mm_per_unit,
+                                   struct StriaeTool **tool);
 
 /**
  * Fills in a diffuse base BRDF.

@@ -9,6 +9,7 @@ fn header_is_fresh() {
     let sources = [
         "status",
         "tool",
+        "files",
         "material",
         "cross_section",
         "hardness",

@@ -51,11 +51,11 @@ pub(super) unsafe fn array<'a, T>(
 ///
 /// # Safety
 /// `out` is NULL or points to a writable pointer.
-pub(super) unsafe fn make_shared<T>(
+pub(super) unsafe fn make_shared<T, E: From<Error>>(
     name: &'static str,
     out: *mut *mut T,
-    make: impl FnOnce() -> Result<T>,
-) -> Result<()> {
+    make: impl FnOnce() -> core::result::Result<T, E>,
+) -> core::result::Result<(), E> {
     // SAFETY: as promised by the caller.
     let out = unsafe { exclusive(name, out) }?;
     *out = core::ptr::null_mut();

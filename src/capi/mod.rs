@@ -16,6 +16,8 @@
 )]
 
 mod cross_section;
+#[cfg(feature = "files")]
+mod files;
 mod handle;
 mod hardness;
 mod material;
@@ -25,6 +27,8 @@ mod status;
 mod tool;
 
 pub use cross_section::*;
+#[cfg(feature = "files")]
+pub use files::*;
 pub use hardness::*;
 pub use material::*;
 pub use pattern::*;

@@ -23,6 +23,8 @@ pub enum StriaeStatus {
     InvalidArgument = 1,
     /// A fault of the library's own. Please report it.
     Internal = 2,
+    /// A file could not be read or used. Nothing was made or changed.
+    File = 3,
 }
 
 /// Longest error text, its final NUL included.
@@ -50,6 +52,17 @@ impl Write for Text {
     }
 }
 
+/// Why a call failed, as a text and a status.
+pub(super) trait Refusal: core::fmt::Display {
+    fn status(&self) -> StriaeStatus;
+}
+
+impl Refusal for Error {
+    fn status(&self) -> StriaeStatus {
+        StriaeStatus::InvalidArgument
+    }
+}
+
 fn remember(error: &impl core::fmt::Display) {
     LAST_ERROR.with_borrow_mut(|text| {
         text.used = 0;
@@ -60,11 +73,18 @@ fn remember(error: &impl core::fmt::Display) {
 
 /// Runs a call: errors become a status and a text, and a panic never crosses the boundary.
 pub(super) fn guard(call: impl FnOnce() -> Result<()>) -> StriaeStatus {
+    guard_any(call)
+}
+
+/// As [`guard`], for calls that fail in other ways too.
+pub(super) fn guard_any<E: Refusal>(
+    call: impl FnOnce() -> core::result::Result<(), E>,
+) -> StriaeStatus {
     match catch_unwind(AssertUnwindSafe(call)) {
         Ok(Ok(())) => StriaeStatus::Ok,
         Ok(Err(error)) => {
             remember(&error);
-            StriaeStatus::InvalidArgument
+            error.status()
         }
         Err(_) => {
             remember(&"internal error in striae: please report it");

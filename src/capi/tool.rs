@@ -1,6 +1,6 @@
 //! Tools for C.
 
-use super::handle::{make_shared, release, retain};
+use super::handle::{array, make_shared, release, retain};
 use super::status::{StriaeStatus, guard};
 use crate::error::Error;
 use crate::formation::Tool;
@@ -90,6 +90,60 @@ pub unsafe extern "C" fn striae_tool_wedge(
     tool: *mut *mut StriaeTool,
 ) -> StriaeStatus {
     let make = || Tool::wedge(width_mm, angle_deg, height_mm).map(StriaeTool);
+    // SAFETY: `tool` is NULL or writable, as the header asks.
+    guard(|| unsafe { make_shared("tool", tool, make) })
+}
+
+/// Makes a tool from a triangle mesh. Any mesh will do: non-convex, open, unoriented. z points up, the tip down.
+///
+/// The lowest point (the middle, if several are lowest) becomes the tip. Where the mesh leans over its own foot, the
+/// groove's wall stands upright. From 1e-6 to 1e4 mm across.
+///
+/// @param positions position_count vertices x, y, z, in units of mm_per_unit; copied
+/// @param position_count 1 to 50000000
+/// @param triangles triangle_count times three indices into positions; copied
+/// @param triangle_count 1 to 50000000
+/// @param mm_per_unit 1e-9 to 1e9: 1 for mm, 25.4 for inches, 1000 for metres
+/// @param tool receives a handle to release with striae_tool_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_mesh(
+    positions: *const [f64; 3],
+    position_count: usize,
+    triangles: *const [u32; 3],
+    triangle_count: usize,
+    mm_per_unit: f64,
+    tool: *mut *mut StriaeTool,
+) -> StriaeStatus {
+    let make = || {
+        // SAFETY: NULL or an array of that many, as the header asks.
+        let positions =
+            unsafe { array(["positions", "position_count"], positions, position_count) }?;
+        // SAFETY: likewise.
+        let triangles =
+            unsafe { array(["triangles", "triangle_count"], triangles, triangle_count) }?;
+        Tool::mesh(positions, triangles, mm_per_unit).map(StriaeTool)
+    };
+    // SAFETY: `tool` is NULL or writable, as the header asks.
+    guard(|| unsafe { make_shared("tool", tool, make) })
+}
+
+/// Makes a flat sheet across the travel, such as a ground scraper, from its lower edge. Its lowest point becomes the
+/// tip. From 1e-6 to 1e4 mm across.
+///
+/// @param points_mm point_count corners of the edge in order, x to the right of travel, z up; copied
+/// @param point_count 2 to 50000000
+/// @param tool receives a handle to release with striae_tool_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_profile(
+    points_mm: *const [f64; 2],
+    point_count: usize,
+    tool: *mut *mut StriaeTool,
+) -> StriaeStatus {
+    let make = || {
+        // SAFETY: NULL or an array of that many, as the header asks.
+        let points_mm = unsafe { array(["points_mm", "point_count"], points_mm, point_count) }?;
+        Tool::profile(points_mm).map(StriaeTool)
+    };
     // SAFETY: `tool` is NULL or writable, as the header asks.
     guard(|| unsafe { make_shared("tool", tool, make) })
 }

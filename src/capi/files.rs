@@ -1,0 +1,129 @@
+//! Files for C.
+
+use super::handle::make_shared;
+use super::status::{Refusal, StriaeStatus, guard_any};
+use super::tool::StriaeTool;
+use crate::error::{Error, Result};
+use crate::files::{FileError, read_tool};
+use core::ffi::{CStr, c_char};
+use std::path::Path;
+
+impl Refusal for FileError {
+    fn status(&self) -> StriaeStatus {
+        match self.argument() {
+            Some(_) => StriaeStatus::InvalidArgument,
+            None => StriaeStatus::File,
+        }
+    }
+}
+
+/// Makes a tool from a 3D model: OBJ, STL (text or binary) or PLY (text or binary), by the end of the file's name.
+///
+/// z points up, the tip down; polygons become fans of triangles, and the mesh is then what striae_tool_mesh() takes.
+/// At most 1 GiB. A file that is missing, broken, empty, cut short, too large, holds a number that is not finite or
+/// claims more than it contains is answered with STRIAE_STATUS_FILE; striae_last_error() then names the file, the
+/// line (from 1) or byte (from 0), what was found and what is accepted.
+///
+/// Not in a library that was built without the cargo feature `files` (it is on by default).
+///
+/// @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+/// @param mm_per_unit the file's unit, 1e-9 to 1e9: 1 for mm, 25.4 for inches, 1000 for metres
+/// @param tool receives a handle to release with striae_tool_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_tool_load(
+    path: *const c_char,
+    mm_per_unit: f64,
+    tool: *mut *mut StriaeTool,
+) -> StriaeStatus {
+    let make = || {
+        // SAFETY: NULL or NUL-terminated, as the header asks.
+        let path = unsafe { path_from("path", path) }?;
+        read_tool(path, mm_per_unit).map(StriaeTool)
+    };
+    // SAFETY: `tool` is NULL or writable, as the header asks.
+    guard_any(|| unsafe { make_shared::<_, FileError>("tool", tool, make) })
+}
+
+/// # Safety
+/// `pointer` is NULL or points to a NUL-terminated text that lives, unchanged, as long as the call.
+unsafe fn path_from<'a>(name: &'static str, pointer: *const c_char) -> Result<&'a Path> {
+    if pointer.is_null() {
+        return Err(Error::text(name, "NULL", "a file's path"));
+    }
+    // SAFETY: not NULL; the rest as promised by the caller.
+    let text = unsafe { CStr::from_ptr(pointer) };
+    if text.is_empty() {
+        return Err(Error::text(name, "empty", "a file's path"));
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::ffi::OsStrExt;
+        Ok(Path::new(std::ffi::OsStr::from_bytes(text.to_bytes())))
+    }
+    #[cfg(not(unix))]
+    text.to_str()
+        .map(Path::new)
+        .map_err(|_| Error::text(name, "not UTF-8", "a file's path in UTF-8"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::{striae_last_error, striae_tool_release};
+    use core::ptr::null_mut;
+
+    /// Status, text and handle of a load.
+    fn load(path: Option<&CStr>, mm_per_unit: f64) -> (StriaeStatus, String, bool) {
+        let mut tool = core::ptr::dangling_mut();
+        let path = path.map_or(core::ptr::null(), CStr::as_ptr);
+        // SAFETY: a NUL-terminated path or NULL, a writable handle; the text lives until the next failure.
+        unsafe {
+            let status = striae_tool_load(path, mm_per_unit, &mut tool);
+            let text = CStr::from_ptr(striae_last_error());
+            let made = !tool.is_null();
+            striae_tool_release(tool);
+            (status, text.to_string_lossy().into_owned(), made)
+        }
+    }
+
+    /// Arguments are told apart from files, and nothing is made.
+    #[test]
+    fn refusals() {
+        let (status, text, made) = load(None, 1.0);
+        assert_eq!((status, made), (StriaeStatus::InvalidArgument, false));
+        assert!(text.starts_with("path is NULL"), "{text}");
+        let (status, text, made) = load(Some(c""), 1.0);
+        assert_eq!((status, made), (StriaeStatus::InvalidArgument, false));
+        assert!(text.starts_with("path is empty"), "{text}");
+        let (status, text, made) = load(Some(c"there/is/no.stl"), 0.0);
+        assert_eq!((status, made), (StriaeStatus::InvalidArgument, false));
+        assert!(text.starts_with("mm_per_unit is 0"), "{text}");
+        let (status, text, made) = load(Some(c"there/is/no.stl"), 1.0);
+        assert_eq!((status, made), (StriaeStatus::File, false));
+        assert!(text.starts_with("there/is/no.stl: is not there"), "{text}");
+        // SAFETY: NULL for the handle is refused.
+        let status = unsafe { striae_tool_load(c"a.stl".as_ptr(), 1.0, null_mut()) };
+        assert_eq!(status, StriaeStatus::InvalidArgument);
+    }
+
+    /// A file becomes a handle, through a path that is not UTF-8.
+    #[cfg(unix)]
+    #[test]
+    fn any_path_loads() {
+        use std::os::unix::ffi::OsStrExt;
+        let mut path = std::env::temp_dir().into_os_string().as_bytes().to_vec();
+        path.extend(format!("/striae-{}-", std::process::id()).bytes());
+        path.extend(b"\xe9.obj\0");
+        let text = CStr::from_bytes_with_nul(&path).unwrap();
+        let file = Path::new(std::ffi::OsStr::from_bytes(text.to_bytes()));
+        std::fs::write(file, "v 0 0 0\nv 1 0 1\nv 0 1 1\nf 1 2 3\n").unwrap();
+        let outcome = load(Some(text), 1.0);
+        std::fs::remove_file(file).unwrap();
+        assert_eq!(
+            (outcome.0, outcome.2),
+            (StriaeStatus::Ok, true),
+            "{}",
+            outcome.1
+        );
+    }
+}
