@@ -62,7 +62,8 @@ impl DepthLaw {
         if depth_mm < outline.height_mm() {
             return Ok(depth_mm);
         }
-        let accepted = "no more than pushes the tool as deep as it is tall, at this hardness";
+        let accepted =
+            "no more than pushes the tool as deep as it is tall (height_mm), at this hardness";
         Err(Error::number(argument, given, accepted))
     }
 

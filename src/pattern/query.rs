@@ -10,8 +10,8 @@ use glam::DVec2;
 /// Pieces gathered before they are joined into runs. More are handled too, in several batches.
 const BATCH: usize = 64;
 
-/// Neighbouring pieces that turn less than this in all are one run, with one frame: cos 4 degrees.
-const RUN_COS: f64 = 0.9976;
+/// Neighbouring pieces that turn less than this in all are one run, with one frame: cos 2 degrees.
+const RUN_COS: f64 = 0.9994;
 
 /// One scratch's way through a footprint. Lengths in mm, in the local frame around the footprint's centre.
 #[derive(Clone, Copy, Debug)]

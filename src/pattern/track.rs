@@ -17,7 +17,7 @@ const INTERPOLATION_ERROR: f64 = 0.01;
 
 /// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
 /// this share of its half width or height.
-const MOST_CHANGE: f64 = 0.2;
+const MOST_CHANGE: f64 = 0.14;
 
 /// Stations between two keys are at most 2 to the power of this.
 const MOST_HALVINGS: u32 = 7;
@@ -80,6 +80,10 @@ impl Track {
             };
             formed.map_err(|error| in_key(error, scratch.keys, at))
         };
+        // Keys first: what they state themselves is theirs to blame for.
+        for key in scratch.keys {
+            section(key.at)?;
+        }
         let spans = spans(scratch, ground, map.is_some());
         let mut facets = 1;
         for at in spans

@@ -42,11 +42,11 @@ pub(crate) struct Zones {
 #[repr(C)]
 pub(crate) struct Relief {
     /// Cross-section axis, to the right of travel, in the local frame.
-    across: Vec2,
-    first: u32,
-    vertices: u32,
+    pub across: Vec2,
+    pub first: u32,
+    pub vertices: u32,
     /// The finish of its deepest zones.
-    finish: u8,
+    pub finish: u8,
     /// How many scratches like this one it stands for, and how far crowding thins them.
     pub gain: f32,
     /// What of the pixel's plane the viewer sees through this scratch, from and to.
@@ -87,15 +87,16 @@ impl Zones {
         u8::try_from(number).unwrap_or(0)
     }
 
-    /// Whether there is room for a cross-section of so many vertices.
-    pub(crate) fn has_room(&self, vertices: usize) -> bool {
-        self.used as usize + vertices <= MOST_SLOTS
+    /// Where a cross-section of so many vertices may go, if there are free slots.
+    pub(crate) fn free(&self, vertices: usize) -> Option<u32> {
+        (self.used as usize + vertices <= MOST_SLOTS).then_some(self.used)
     }
 
-    /// Prepares a cross-section, for which there is room, for a view; `finish` gives the number of each facet's
-    /// finish. Nothing is kept if none of it lies in the pixel.
+    /// Prepares a cross-section for a view, in the slots from `first` on; `finish` gives the number of each
+    /// facet's finish. Nothing is kept if none of it lies in the pixel.
     pub(crate) fn prepare(
         &mut self,
+        first_slot: u32,
         (xs, zs): (&[f32], &[f32]),
         finish: impl Iterator<Item = u8>,
         across: Vec2,
@@ -103,7 +104,7 @@ impl Zones {
         view: Vec3,
     ) -> Option<Relief> {
         let vertices = xs.len();
-        let first = self.used as usize;
+        let first = first_slot as usize;
         let slots = first..first + vertices;
         self.x[slots.clone()].copy_from_slice(xs);
         self.z[slots.clone()].copy_from_slice(zs);
@@ -125,7 +126,7 @@ impl Zones {
         }
         let relief = Relief {
             across,
-            first: self.used,
+            first: first_slot,
             vertices: u32::try_from(vertices).unwrap_or(0),
             finish: self.finish[first + vertices / 2],
             gain: 1.0,
@@ -139,7 +140,7 @@ impl Zones {
             (self.normal_x[k], self.normal_z[k]) = (-unit.y, unit.x);
             self.weight[k] = self.part_weight(&relief, k, self.seen[k], v.x / v.z);
         }
-        self.used += relief.vertices;
+        self.used = self.used.max(first_slot + relief.vertices);
         Some(relief)
     }
 

@@ -19,6 +19,10 @@ const ROUNDING: f32 = 1e-6;
 /// Points of a cross-section that is shaded by itself.
 const MOST_POINTS: usize = 100;
 
+/// Directions are above the surface from this cosine on: below it, single precision cannot say where relief
+/// is seen against the plane.
+const LEAST_COS: f32 = 1e-6;
+
 /// What [`Shading::eval`] gives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Output {
@@ -34,14 +38,15 @@ pub enum Output {
 pub enum CrossFootprint {
     /// The whole cross-section and so many mm of flat surface on each side, as in the paper's section 4.1.
     Whole {
-        /// Flat surface on each side, mm.
+        /// Flat surface on each side, mm, 0 to 1e6. As in the paper, relief that hides or shadows more than
+        /// that is not accounted for: at grazing angles the margin must be wide.
         margin_mm: f32,
     },
     /// A pixel's box filter.
     Box {
-        /// The pixel's centre, mm to the right of the centre line.
+        /// The pixel's centre, mm to the right of the centre line, -1e6 to 1e6.
         center_mm: f64,
-        /// How long the footprint's two edges are across the scratch, mm.
+        /// How long the footprint's two edges are across the scratch, mm, -1e6 to 1e6.
         extents_mm: [f64; 2],
     },
 }
@@ -87,7 +92,7 @@ impl Shading {
         let scale = pattern.mm_per_scene_unit;
         let metric = Metric::at(point, &frame, scale)?;
         let (region, footprint) = metric.region(&point.footprint, scale);
-        if self.view.z > 0.0 {
+        if self.view.z >= LEAST_COS {
             let pixel_area = region.area();
             let reach = self.reach_mm(pattern);
             pattern.query(&metric, &region, reach, &mut |hit| {
@@ -98,8 +103,8 @@ impl Shading {
         footprint
     }
 
-    /// Prepares one cross-section for a view, without a pattern: points (x, z) in mm, x ascending, the first
-    /// and last at z = 0; the scratch runs along y. 2 to 100 points.
+    /// Prepares one cross-section for a view, without a pattern: 2 to 100 points (x, z) in mm, x not descending,
+    /// the first and last at z = 0; the scratch runs along y.
     pub fn shade_cross_section(
         &mut self,
         vertices: &[[f32; 2]],
@@ -109,15 +114,11 @@ impl Shading {
         view: [f32; 3],
     ) -> Result<()> {
         self.begin(Finish::new(&surface.check()?), view)?;
-        in_range(
-            "vertex_count",
-            vertices.len() as f64,
-            2.0,
-            MOST_POINTS as f64,
-        )?;
+        check_cross_section(vertices)?;
         let finish = Finish::new(&scratched.check()?);
         let weight = match pixel {
             CrossFootprint::Whole { margin_mm } => {
+                in_range("margin_mm", f64::from(margin_mm), 0.0, 1e6)?;
                 let (first, last) = (vertices[0][0], vertices[vertices.len() - 1][0]);
                 Weight::uniform([first - margin_mm, last + margin_mm])
             }
@@ -125,6 +126,9 @@ impl Shading {
                 center_mm,
                 extents_mm: [a, b],
             } => {
+                in_range("center_mm", center_mm, -1e6, 1e6)?;
+                in_range("extents_mm", a, -1e6, 1e6)?;
+                in_range("extents_mm", b, -1e6, 1e6)?;
                 let region = Region::parallelogram(DVec2::new(a, 1.0), DVec2::new(b, -1.0));
                 let center_line = DVec2::new(-center_mm, 0.0);
                 Weight::of_region(&region, center_line, DVec2::X, region.area())
@@ -134,10 +138,14 @@ impl Shading {
         for ((x, z), vertex) in xs.iter_mut().zip(&mut zs).zip(vertices) {
             [*x, *z] = *vertex;
         }
-        if self.view.z > 0.0 {
+        if self.view.z >= LEAST_COS {
             let points = (&xs[..vertices.len()], &zs[..vertices.len()]);
             let number = self.zones.finish(&finish);
-            self.keep(points, core::iter::repeat(number), Vec2::X, weight);
+            let numbers = core::iter::repeat(number);
+            let prepared = self
+                .zones
+                .prepare(0, points, numbers, Vec2::X, weight, self.view);
+            self.keep(0, prepared);
             self.share_out();
         }
         Ok(())
@@ -158,7 +166,7 @@ impl Shading {
     pub fn eval(&self, light: [f32; 3], output: Output) -> [f32; 3] {
         let light = direction(light).unwrap_or(Vec3::ZERO);
         // Also black where the point itself reflects nothing (view zero).
-        if light.z <= 0.0 || self.view.z <= 0.0 {
+        if light.z < LEAST_COS || self.view.z < LEAST_COS {
             return [0.0; 3];
         }
         let pair = Pair::new(self.view, light);
@@ -217,27 +225,49 @@ impl Shading {
         }
         let number = layer.iter().map(|&layer| numbers[layer as usize]);
         let across = across.as_vec2();
-        if (self.relief_count as usize) < MOST_RELIEFS && self.zones.has_room(xs.len()) {
-            self.keep((xs, zs), number, across, weight);
-        } else {
-            let more = weight.taken([xs[0], xs[xs.len() - 1]]);
-            self.widen(more, across, number.max().unwrap_or(0));
+        let more = weight.taken([xs[0], xs[xs.len() - 1]]);
+        match self.place(xs.len(), more) {
+            Some((index, first)) => {
+                let (points, view) = ((xs, zs), self.view);
+                let prepared = self
+                    .zones
+                    .prepare(first, points, number, across, weight, view);
+                self.keep(index, prepared);
+            }
+            None => self.widen(more, across, number.max().unwrap_or(0)),
         }
     }
 
-    fn keep(
-        &mut self,
-        points: (&[f32], &[f32]),
-        finish: impl Iterator<Item = u8>,
-        across: Vec2,
-        weight: Weight,
-    ) {
-        if let Some(relief) = self
-            .zones
-            .prepare(points, finish, across, weight, self.view)
-        {
-            self.reliefs[self.relief_count as usize] = relief;
-            self.relief_count += 1;
+    /// Where a cross-section that takes `more` of the pixel may go: its relief's number and its first slot. When
+    /// the point is full it takes the place of one that shows much less, which then counts with its like.
+    fn place(&mut self, vertices: usize, more: f32) -> Option<(usize, u32)> {
+        let count = self.relief_count as usize;
+        if let Some(first) = self.zones.free(vertices).filter(|_| count < MOST_RELIEFS) {
+            return Some((count, first));
+        }
+        let fits = |relief: &&mut Relief| relief.vertices as usize >= vertices;
+        let smallest = self.reliefs[..count]
+            .iter_mut()
+            .enumerate()
+            .filter(|(_, relief)| fits(relief))
+            .min_by(|(_, a), (_, b)| a.coverage().total_cmp(&b.coverage()));
+        let (index, relief) = smallest.filter(|(_, relief)| 4.0 * relief.coverage() < more)?;
+        let Relief {
+            first,
+            across,
+            finish,
+            ..
+        } = *relief;
+        let shown = relief.coverage();
+        relief.gain = 0.0;
+        self.widen(shown, across, finish);
+        Some((index, first))
+    }
+
+    fn keep(&mut self, index: usize, relief: Option<Relief>) {
+        if let Some(relief) = relief {
+            self.reliefs[index] = relief;
+            self.relief_count = self.relief_count.max(u32::try_from(index + 1).unwrap_or(0));
         }
     }
 
@@ -263,6 +293,24 @@ impl Shading {
         }
         self.coverage = all.clamp(0.0, 1.0);
     }
+}
+
+fn check_cross_section(vertices: &[[f32; 2]]) -> Result<()> {
+    if !(2..=MOST_POINTS).contains(&vertices.len()) {
+        return Err(Error::count("vertex_count", vertices.len(), "2 to 100"));
+    }
+    let last = vertices.len() - 1;
+    for (i, &[x, z]) in vertices.iter().enumerate() {
+        let before = if i == 0 { f32::MIN } else { vertices[i - 1][0] };
+        in_range("x", f64::from(x), f64::from(before), f64::from(f32::MAX))
+            .and_then(|_| all_finite("z", &[z]))
+            .map_err(|error| error.within("vertices", i))?;
+    }
+    for i in [0, last] {
+        in_range("z", f64::from(vertices[i][1]), 0.0, 0.0)
+            .map_err(|error| error.within("vertices", i))?;
+    }
+    Ok(())
 }
 
 /// Unit length at any scale; double precision holds where single would overflow, or flush to zero.
