@@ -46,7 +46,7 @@ impl CrossSection {
         let loaded_mm = process.depth_law.depth_mm(&outline, process, material)?;
         let groove = outline.cut(loaded_mm).recovered(material.elastic_recovery);
         let depth_mm = loaded_mm * (1.0 - material.elastic_recovery);
-        let peaks = PileUp::of(&groove, material);
+        let peaks = PileUp::of(&groove.measures, material);
         Ok(Self {
             depth_mm,
             groove,
@@ -61,12 +61,12 @@ impl CrossSection {
 
     /// Area of the groove below the surface, mm².
     pub fn groove_area_mm2(&self) -> f64 {
-        self.groove.area_mm2
+        self.groove.measures.area_mm2
     }
 
     /// Width of the groove at the surface, mm.
     pub fn groove_width_mm(&self) -> f64 {
-        self.groove.width_mm()
+        self.groove.measures.width_mm()
     }
 
     /// Width between the crests of the two peaks, mm.

@@ -25,7 +25,7 @@ pub(crate) fn facet_points(cut: &Cut, count: usize) -> Vec<DVec2> {
         .map(|w| -0.5 * (w[1].x - w[0].x) * (w[0].y + w[1].y))
         .sum();
     if area > 0.0 {
-        let stretch = cut.area_mm2 / area;
+        let stretch = cut.measures.area_mm2 / area;
         points.iter_mut().for_each(|point| point.y *= stretch);
     }
     points
@@ -141,7 +141,7 @@ mod tests {
             .windows(2)
             .map(|w| -0.5 * (w[1].x - w[0].x) * (w[0].y + w[1].y))
             .sum();
-        assert!((area / cut.area_mm2 - 1.0).abs() < 1e-12, "{area}");
+        assert!((area / cut.measures.area_mm2 - 1.0).abs() < 1e-12, "{area}");
         assert!(
             facets_needed(&cut, 0.05) > facets_needed(&cut, 0.2),
             "step has no effect"

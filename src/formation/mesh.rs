@@ -308,9 +308,12 @@ mod tests {
             .outline(held)
             .unwrap()
             .cut(0.03);
-        assert!((ours.area_mm2 - hull.area_mm2).abs() < 1e-12, "area");
         assert!(
-            (ours.flank_rad[0] - hull.flank_rad[0]).abs() < 1e-9,
+            (ours.measures.area_mm2 - hull.measures.area_mm2).abs() < 1e-12,
+            "area"
+        );
+        assert!(
+            (ours.measures.flank_rad[0] - hull.measures.flank_rad[0]).abs() < 1e-9,
             "flank"
         );
     }

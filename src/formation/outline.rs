@@ -32,6 +32,14 @@ pub(crate) struct Outline {
 pub(crate) struct Cut {
     /// The groove from its left to its right edge, relative to the level (z <= 0), mm.
     pub points: Vec<DVec2>,
+    pub measures: Measures,
+}
+
+/// Measures of a groove.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Measures {
+    /// Where the groove begins and ends at the level, x, mm.
+    pub edges_mm: [f64; 2],
     /// Area below the level, mm².
     pub area_mm2: f64,
     /// Flank angles where the groove meets the level, left and right, radians in (0, pi/2].
@@ -62,31 +70,57 @@ impl Outline {
 
     /// The groove that the tool leaves at a depth above 0 and below [`Self::height_mm`].
     pub(crate) fn cut(&self, depth_mm: f64) -> Cut {
-        let mut cut = Cut {
-            points: Vec::new(),
-            area_mm2: 0.0,
-            flank_rad: [0.0; 2],
-        };
-        for below in self.pieces.iter().filter_map(|piece| piece.below(depth_mm)) {
-            if cut.points.is_empty() {
-                cut.flank_rad[0] = -below.slope_rad(0.0);
-            }
-            cut.flank_rad[1] = below.slope_rad(1.0);
-            cut.area_mm2 += below.area_below(depth_mm);
-            below.draw(&mut cut.points);
+        let mut points = Vec::new();
+        for below in self.below(depth_mm) {
+            below.draw(&mut points);
         }
-        for point in &mut cut.points {
+        for point in &mut points {
             point.y -= depth_mm;
         }
-        cut
+        Cut {
+            points,
+            measures: self.measures(depth_mm),
+        }
+    }
+
+    /// The measures of that groove alone.
+    pub(crate) fn measures(&self, depth_mm: f64) -> Measures {
+        let mut measures = Measures::default();
+        let mut pieces = self.below(depth_mm).peekable();
+        if let Some(first) = pieces.peek() {
+            measures.edges_mm[0] = first.start().x;
+            measures.flank_rad[0] = -first.slope_rad(0.0);
+        }
+        for below in pieces {
+            measures.edges_mm[1] = below.end().x;
+            measures.flank_rad[1] = below.slope_rad(1.0);
+            measures.area_mm2 += below.area_below(depth_mm);
+        }
+        measures
+    }
+
+    fn below(&self, level: f64) -> impl Iterator<Item = Piece> {
+        self.pieces
+            .iter()
+            .filter_map(move |piece| piece.below(level))
     }
 }
 
 impl Cut {
     /// The groove after a share of its depth has sprung back: as wide, less deep, less steep.
     pub(crate) fn recovered(mut self, share: f64) -> Self {
+        self.points
+            .iter_mut()
+            .for_each(|point| point.y *= 1.0 - share);
+        self.measures = self.measures.recovered(share);
+        self
+    }
+}
+
+impl Measures {
+    /// As [`Cut::recovered`].
+    pub(crate) fn recovered(mut self, share: f64) -> Self {
         let left = 1.0 - share;
-        self.points.iter_mut().for_each(|point| point.y *= left);
         self.area_mm2 *= left;
         // An upright wall stays upright.
         self.flank_rad = self
@@ -97,10 +131,7 @@ impl Cut {
 
     /// Width of the groove at the level, mm.
     pub(crate) fn width_mm(&self) -> f64 {
-        match (self.points.first(), self.points.last()) {
-            (Some(first), Some(last)) => last.x - first.x,
-            _ => 0.0,
-        }
+        self.edges_mm[1] - self.edges_mm[0]
     }
 }
 
@@ -288,7 +319,7 @@ mod tests {
             } else {
                 radius * radius * (half - half.sin() * half.cos())
             };
-            let area = outline.cut(depth).area_mm2;
+            let area = outline.cut(depth).measures.area_mm2;
             assert!(
                 (area / exact - 1.0).abs() < 1e-6,
                 "{depth}: {area} against {exact}"

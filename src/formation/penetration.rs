@@ -3,11 +3,12 @@
 use super::cross_section::Process;
 use super::material::Material;
 use super::orientation::Orientation;
-use super::outline::{Cut, Outline};
+use super::outline::{Measures, Outline};
 use super::pileup::PileUp;
 use super::tool::Tool;
 use crate::error::{Error, Result, in_range};
 use core::f64::consts::PI;
+use kurbo::common::solve_itp;
 
 /// A law that gives the groove's depth under load.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,7 +50,7 @@ impl DepthLaw {
                 (depth_mm, "force_kgf", process.force_kgf)
             }
             Self::ScratchHardness => {
-                let width = |cut: &Cut| crest_width_mm(cut, material);
+                let width = |groove: &Measures| crest_width_mm(groove, material);
                 let wanted = (8.0 * load_mm2 / PI).sqrt();
                 (
                     depth_where(outline, material, wanted, width),
@@ -72,8 +73,10 @@ impl DepthLaw {
         let load_mm2 = match self {
             Self::Bosch2004 => ((depth_mm + 0.014) / 0.182).powi(2) - 0.0055,
             Self::ScratchHardness => {
-                let cut = outline.cut(depth_mm).recovered(material.elastic_recovery);
-                PI * crest_width_mm(&cut, material).powi(2) / 8.0
+                let groove = outline
+                    .measures(depth_mm)
+                    .recovered(material.elastic_recovery);
+                PI * crest_width_mm(&groove, material).powi(2) / 8.0
             }
             Self::Stated => {
                 let accepted = "a law that relates depth to force";
@@ -106,9 +109,11 @@ impl Process {
         in_range(argument, value, 1e-9, 1000.0)?;
         let depth_mm = match wanted {
             Wanted::Depth(depth_mm) => depth_mm / (1.0 - material.elastic_recovery),
-            Wanted::GrooveWidth(width) => depth_where(&outline, material, width, Cut::width_mm),
-            Wanted::CrestWidth(width) => depth_where(&outline, material, width, |cut| {
-                crest_width_mm(cut, material)
+            Wanted::GrooveWidth(width) => {
+                depth_where(&outline, material, width, Measures::width_mm)
+            }
+            Wanted::CrestWidth(width) => depth_where(&outline, material, width, |groove| {
+                crest_width_mm(groove, material)
             }),
         };
         if depth_mm >= outline.height_mm() || depth_mm <= 0.0 {
@@ -129,40 +134,51 @@ impl Process {
 }
 
 /// Width between the crests of the groove, mm.
-fn crest_width_mm(cut: &Cut, material: &Material) -> f64 {
-    let peaks = PileUp::of(cut, material);
-    peaks.left.inner_width_mm + cut.width_mm() + peaks.right.inner_width_mm
+fn crest_width_mm(groove: &Measures, material: &Material) -> f64 {
+    let peaks = PileUp::of(groove, material);
+    peaks.left.inner_width_mm + groove.width_mm() + peaks.right.inner_width_mm
 }
 
 /// The depth under load at which the recovered groove is `wanted` wide by some measure of width; the tool's
 /// height where it never gets so wide, 0 where it is always wider.
 ///
-/// Widths grow with depth, so bisection cannot miss; it stops at the last bit.
+/// Widths grow with depth. A width may start like the root of the depth (a round tip) or like the depth (a sharp
+/// one): the search runs over the root of the depth, in which both are smooth.
 fn depth_where(
     outline: &Outline,
     material: &Material,
     wanted: f64,
-    width_mm: impl Fn(&Cut) -> f64,
+    width_mm: impl Fn(&Measures) -> f64,
 ) -> f64 {
-    let width = |depth_mm| width_mm(&outline.cut(depth_mm).recovered(material.elastic_recovery));
-    let (mut shallow, mut deep) = (0.0, outline.height_mm());
     if wanted <= 0.0 {
         return 0.0;
     }
-    if width(deep * (1.0 - 1e-12)) <= wanted {
-        return deep;
+    let missing = |root: f64| {
+        let groove = outline
+            .measures(root * root)
+            .recovered(material.elastic_recovery);
+        width_mm(&groove) - wanted
+    };
+    let highest = outline.height_mm() * (1.0 - 1e-12);
+    let (from, to) = (1e-6_f64.min(0.5 * highest.sqrt()), highest.sqrt());
+    let (at_from, at_to) = (missing(from), missing(to));
+    if at_to <= 0.0 {
+        return outline.height_mm();
     }
-    loop {
-        let middle = 0.5 * (shallow + deep);
-        if middle <= shallow || middle >= deep || middle < 1e-12 {
-            return middle;
-        }
-        if width(middle) < wanted {
-            shallow = middle;
-        } else {
-            deep = middle;
-        }
+    if at_from >= 0.0 {
+        return from * from;
     }
+    let root = solve_itp(
+        missing,
+        from,
+        to,
+        1e-15 * to,
+        1,
+        0.2 / (to - from),
+        at_from,
+        at_to,
+    );
+    root * root
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The two peaks of material that a tool pushes out of its groove.
 
 use super::material::Material;
-use super::outline::Cut;
+use super::outline::Measures;
 use crate::error::{Result, in_range};
 
 /// Flanks are never steeper than this.
@@ -67,10 +67,10 @@ impl PileUpLaw {
 impl PileUp {
     /// The peaks of a groove: each holds half of what the material piles up of the groove's area
     /// (Bosch et al. 2004, section 3.2, where that is all of it).
-    pub(crate) fn of(cut: &Cut, material: &Material) -> Self {
-        let area_mm2 = material.pile_up_fraction * cut.area_mm2;
+    pub(crate) fn of(groove: &Measures, material: &Material) -> Self {
+        let area_mm2 = material.pile_up_fraction * groove.area_mm2;
         let peak = |flank_rad: f64| Peak::rising(flank_rad, material.pile_up, area_mm2);
-        let [left, right] = cut.flank_rad.map(peak);
+        let [left, right] = groove.flank_rad.map(peak);
         Self { left, right }
     }
 }

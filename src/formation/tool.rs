@@ -372,7 +372,7 @@ mod tests {
             .outline(Orientation::default())
             .unwrap()
             .cut(0.1);
-        for flank in cut.flank_rad {
+        for flank in cut.measures.flank_rad {
             assert!((flank.to_degrees() - 30.0).abs() < 1e-9, "{flank}");
         }
         assert!(
@@ -386,12 +386,20 @@ mod tests {
     fn upright_wedge_cuts_a_box() {
         let tool = Tool::wedge(0.5, 60.0, 3.0).unwrap();
         let cut = tool.outline(Orientation::default()).unwrap().cut(0.01);
-        assert!((cut.width_mm() - 0.5).abs() < 1e-12, "{}", cut.width_mm());
-        assert!((cut.area_mm2 - 0.005).abs() < 1e-12, "{}", cut.area_mm2);
         assert!(
-            (cut.flank_rad[0] - FRAC_PI_2).abs() < 1e-9,
+            (cut.measures.width_mm() - 0.5).abs() < 1e-12,
+            "{}",
+            cut.measures.width_mm()
+        );
+        assert!(
+            (cut.measures.area_mm2 - 0.005).abs() < 1e-12,
+            "{}",
+            cut.measures.area_mm2
+        );
+        assert!(
+            (cut.measures.flank_rad[0] - FRAC_PI_2).abs() < 1e-9,
             "{:?}",
-            cut.flank_rad
+            cut.measures.flank_rad
         );
     }
 }

@@ -29,7 +29,7 @@ pub(crate) struct Piece {
 }
 
 /// The most that one piece of a curve turns.
-const MOST_TURN_RAD: f64 = 0.04;
+const MOST_TURN_RAD: f64 = 0.06;
 
 /// Relative accuracy of arc lengths.
 const ARC_LENGTH_ACCURACY: f64 = 1e-7;

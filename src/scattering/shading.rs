@@ -46,7 +46,7 @@ pub enum CrossFootprint {
     Box {
         /// The pixel's centre, mm to the right of the centre line, -1e6 to 1e6.
         center_mm: f64,
-        /// How long the footprint's two edges are across the scratch, mm, -1e6 to 1e6.
+        /// How long the footprint's two edges are across the scratch, mm, 0 to 1e6.
         extents_mm: [f64; 2],
     },
 }
@@ -127,8 +127,8 @@ impl Shading {
                 extents_mm: [a, b],
             } => {
                 in_range("center_mm", center_mm, -1e6, 1e6)?;
-                in_range("extents_mm", a, -1e6, 1e6)?;
-                in_range("extents_mm", b, -1e6, 1e6)?;
+                in_range("extents_mm", a, 0.0, 1e6)?;
+                in_range("extents_mm", b, 0.0, 1e6)?;
                 let region = Region::parallelogram(DVec2::new(a, 1.0), DVec2::new(b, -1.0));
                 let center_line = DVec2::new(-center_mm, 0.0);
                 Weight::of_region(&region, center_line, DVec2::X, region.area())
