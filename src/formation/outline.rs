@@ -5,6 +5,9 @@ use glam::DVec2;
 /// Chords an arc below the surface is drawn with; its area is exact all the same.
 const ARC_CHORDS: usize = 128;
 
+/// The flank's angle at the surface is its mean over this share of the depth above and below.
+const FLANK_SHARE: f64 = 0.01;
+
 /// One piece of an outline, from left to right. Coordinates are (x right of travel, z up), mm.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Piece {
@@ -86,15 +89,28 @@ impl Outline {
     /// The measures of that groove alone.
     pub(crate) fn measures(&self, depth_mm: f64) -> Measures {
         let mut measures = Measures::default();
-        let mut pieces = self.below(depth_mm).peekable();
-        if let Some(first) = pieces.peek() {
-            measures.edges_mm[0] = first.start().x;
-            measures.flank_rad[0] = -first.slope_rad(0.0);
-        }
-        for below in pieces {
-            measures.edges_mm[1] = below.end().x;
-            measures.flank_rad[1] = below.slope_rad(1.0);
+        let mut crossed = None;
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let Some(below) = piece.below(depth_mm) else {
+                continue;
+            };
             measures.area_mm2 += below.area_below(depth_mm);
+            measures.edges_mm[1] = below.end().x;
+            let first = crossed.map_or(i, |[first, _]: [usize; 2]| first);
+            if crossed.is_none() {
+                measures.edges_mm[0] = below.start().x;
+            }
+            crossed = Some([first, i]);
+        }
+        if let Some([first, last]) = crossed {
+            let left = self.pieces[..=first].iter().rev().map(Piece::mirrored);
+            let inward = self.pieces[first..].iter().map(Piece::mirrored);
+            let right = self.pieces[last..].iter().copied();
+            let back = self.pieces[..=last].iter().rev().copied();
+            measures.flank_rad = [
+                flank_rad(left, inward, depth_mm),
+                flank_rad(right, back, depth_mm),
+            ];
         }
         measures
     }
@@ -103,6 +119,34 @@ impl Outline {
         self.pieces
             .iter()
             .filter_map(move |piece| piece.below(level))
+    }
+}
+
+/// The angle of the right flank about the level: the mean over a small part of the depth on both sides of it, so
+/// that it changes continuously as the level passes a corner of the tool.
+///
+/// `outward` and `inward` are the pieces from the one that crosses the level, in both directions.
+fn flank_rad(
+    mut outward: impl Iterator<Item = Piece>,
+    mut inward: impl Iterator<Item = Piece>,
+    level: f64,
+) -> f64 {
+    let (low, high) = (level * (1.0 - FLANK_SHARE), level * (1.0 + FLANK_SHARE));
+    let inner = inward
+        .find_map(|piece| piece.below(low))
+        .map(|piece| piece.end());
+    let mut outer = None;
+    for piece in &mut outward {
+        if let Some(below) = piece.below(high) {
+            outer = Some(below.end());
+        }
+        if piece.end().y >= high {
+            break;
+        }
+    }
+    match (inner, outer) {
+        (Some(inner), Some(outer)) => (outer.y - inner.y).atan2((outer.x - inner.x).max(0.0)),
+        _ => 0.0,
     }
 }
 
@@ -233,13 +277,25 @@ impl Piece {
         }
     }
 
-    /// Slope angle at the start (0) or end (1) of the piece.
-    fn slope_rad(&self, at: f64) -> f64 {
+    /// The same seen from the other side: x reversed.
+    fn mirrored(&self) -> Self {
+        let flip = |p: DVec2| DVec2::new(-p.x, p.y);
         match *self {
-            Self::Line { from, to } => (to.y - from.y).atan2(to.x - from.x),
+            Self::Line { from, to } => Self::Line {
+                from: flip(to),
+                to: flip(from),
+            },
             Self::Arc {
-                from_rad, to_rad, ..
-            } => from_rad + (to_rad - from_rad) * at,
+                center,
+                radius,
+                from_rad,
+                to_rad,
+            } => Self::Arc {
+                center: flip(center),
+                radius,
+                from_rad: -to_rad,
+                to_rad: -from_rad,
+            },
         }
     }
 

@@ -289,9 +289,18 @@ fn cone_pieces(
     };
     let touch = |angle_rad: f64| center + radius * DVec2::new(angle_rad.sin(), -angle_rad.cos());
     let [left, right] = flank_rad.map(|angle: f64| angle.clamp(-FRAC_PI_2, FRAC_PI_2));
+    // A flank that leans over its own foot leaves an upright wall.
+    let upper = |angle: f64, clamped: f64| {
+        let (rim, foot) = (rim(angle), touch(clamped));
+        if angle == clamped {
+            rim
+        } else {
+            DVec2::new(foot.x, rim.y.max(foot.y))
+        }
+    };
     Ok([
         Piece::Line {
-            from: rim(left),
+            from: upper(flank_rad[0], left),
             to: touch(left),
         },
         Piece::Arc {
@@ -302,7 +311,7 @@ fn cone_pieces(
         },
         Piece::Line {
             from: touch(right),
-            to: rim(right),
+            to: upper(flank_rad[1], right),
         },
     ])
 }

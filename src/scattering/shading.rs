@@ -208,7 +208,6 @@ impl Shading {
     }
 
     fn add(&mut self, hit: &Hit<'_>, pixel_area: f64) {
-        self.scratch_count += 1;
         let across = DVec2::new(hit.travel.y, -hit.travel.x);
         let weight = Weight::of_region(&hit.region, hit.origin, across, pixel_area);
         let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
@@ -226,6 +225,7 @@ impl Shading {
         let number = layer.iter().map(|&layer| numbers[layer as usize]);
         let across = across.as_vec2();
         let more = weight.taken([xs[0], xs[xs.len() - 1]]);
+        self.scratch_count += u32::from(more > 0.0);
         match self.place(xs.len(), more) {
             Some((index, first)) => {
                 let (points, view) = ((xs, zs), self.view);
