@@ -837,6 +837,25 @@ enum StriaeStatus striae_tool_load(const char *path,
                                    struct StriaeTool **tool);
 
 /**
+ * Makes a hardness map from an image over u and v from 0 to 1, its top row at v = 1: PNG or EXR.
+ *
+ * Of a PNG the first channel counts, 0 to its largest value meaning 0 to 1; of an EXR the channel Y, else R, else the
+ * first. At most 2^26 texels. A file that is missing, neither, broken or too large is answered with
+ * STRIAE_STATUS_FILE; striae_last_error() then names the file, what was found and what is accepted.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param from_hv hardness that a value of 0 means, 0.01 to 20000
+ * @param to_hv hardness that a value of 1 means, 0.01 to 20000; every texel must lead into that range
+ * @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
+ */
+enum StriaeStatus striae_hardness_map_load(const char *path,
+                                           double from_hv,
+                                           double to_hv,
+                                           struct StriaeHardnessMap **map);
+
+/**
  * Fills in a diffuse base BRDF.
  *
  * @param albedo RGB, each 0 to 1

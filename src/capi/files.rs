@@ -1,10 +1,11 @@
 //! Files for C.
 
 use super::handle::make_shared;
+use super::hardness::StriaeHardnessMap;
 use super::status::{Refusal, StriaeStatus, guard_any};
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
-use crate::files::{FileError, read_tool};
+use crate::files::{FileError, read_hardness, read_tool};
 use core::ffi::{CStr, c_char};
 use std::path::Path;
 
@@ -42,6 +43,34 @@ pub unsafe extern "C" fn striae_tool_load(
     };
     // SAFETY: `tool` is NULL or writable, as the header asks.
     guard_any(|| unsafe { make_shared::<_, FileError>("tool", tool, make) })
+}
+
+/// Makes a hardness map from an image over u and v from 0 to 1, its top row at v = 1: PNG or EXR.
+///
+/// Of a PNG the first channel counts, 0 to its largest value meaning 0 to 1; of an EXR the channel Y, else R, else the
+/// first. At most 2^26 texels. A file that is missing, neither, broken or too large is answered with
+/// STRIAE_STATUS_FILE; striae_last_error() then names the file, what was found and what is accepted.
+///
+/// Not in a library that was built without the cargo feature `files` (it is on by default).
+///
+/// @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+/// @param from_hv hardness that a value of 0 means, 0.01 to 20000
+/// @param to_hv hardness that a value of 1 means, 0.01 to 20000; every texel must lead into that range
+/// @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_hardness_map_load(
+    path: *const c_char,
+    from_hv: f64,
+    to_hv: f64,
+    map: *mut *mut StriaeHardnessMap,
+) -> StriaeStatus {
+    let make = || {
+        // SAFETY: NULL or NUL-terminated, as the header asks.
+        let path = unsafe { path_from("path", path) }?;
+        read_hardness(path, [from_hv, to_hv]).map(StriaeHardnessMap)
+    };
+    // SAFETY: `map` is NULL or writable, as the header asks.
+    guard_any(|| unsafe { make_shared::<_, FileError>("map", map, make) })
 }
 
 /// # Safety

@@ -1,16 +1,20 @@
-//! What is read from files: tools as 3D models, from OBJ, STL and PLY.
+//! What is read from files: tools as 3D models (OBJ, STL, PLY) and hardness as images (PNG, EXR).
 //!
-//! A path or bytes in, a [`Tool`](crate::formation::Tool) or a [`FileError`] out. What a file says of itself is
+//! A path or bytes in, a [`Tool`](crate::formation::Tool), a [`HardnessMap`](crate::formation::HardnessMap) or a
+//! [`FileError`] out. What a file says of itself is
 //! checked against its size before it is believed, so that no file, whatever it holds, makes a reader panic
 //! or ask for more memory than its size explains.
 
 mod error;
+mod image;
 mod mesh;
 mod obj;
 mod ply;
 mod polygons;
+mod read;
 mod stl;
 mod text;
 
 pub use error::FileError;
+pub use image::{hardness_from_bytes, read_hardness};
 pub use mesh::{MeshFormat, read_tool, tool_from_bytes};
