@@ -4,7 +4,9 @@
 
 pub(crate) mod caster;
 pub(crate) mod crowd;
+pub(crate) mod jumps;
 pub(crate) mod lines;
+pub(crate) mod refusal;
 
 use glam::DVec2;
 use rand::rngs::StdRng;
