@@ -11,11 +11,16 @@ set(striae_lib_dir "${PROJECT_BINARY_DIR}/lib")
 set(striae_shared_library "${striae_lib_dir}/libstriae.so.${PROJECT_VERSION}")
 set(striae_static_library "${striae_lib_dir}/libstriae.a")
 
+set(striae_cargo_features "")
+if(NOT STRIAE_FILES)
+  set(striae_cargo_features --no-default-features)
+endif()
+
 # `cargo rustc` is `cargo build` with arguments for this crate's own link step, here the SONAME.
 # Cargo's files are copied under their versioned names only when they changed, so nothing relinks in vain.
 add_custom_target(striae_cargo ALL
   COMMAND "${CMAKE_COMMAND}" -E env --unset=CARGO_BUILD_TARGET
-          "${STRIAE_CARGO}" rustc --lib --release --locked
+          "${STRIAE_CARGO}" rustc --lib --release --locked ${striae_cargo_features}
           --manifest-path "${PROJECT_SOURCE_DIR}/Cargo.toml" --target-dir "${STRIAE_CARGO_TARGET_DIR}"
           -- -C "link-arg=-Wl,-soname,${striae_soname}"
   COMMAND "${CMAKE_COMMAND}" -E make_directory "${striae_lib_dir}"
