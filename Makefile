@@ -12,13 +12,14 @@ PACKAGES := cmake libembree-dev libopenexr-dev libpng-dev pkg-config
 TEST_PACKAGES := $(PACKAGES) g++ binutils
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test clean rust
+.PHONY: help demo test bench clean rust
 
 help:
 	@echo "make demo           render the plate's three views into $(OUT)/"
 	@echo "make demo CHECK=1   and compare one sample per pixel with 256"
 	@echo "make demo ARGS=...  with the renderer's own options: ARGS=--help lists them"
 	@echo "make test           every check: Rust and C"
+	@echo "make bench          what a cross-section costs, in time"
 	@echo "make clean          remove $(BUILD)/, $(OUT)/ and target/"
 
 # The demo reads no files: a library without them builds in half the time.
@@ -32,6 +33,9 @@ demo: rust
 test: rust
 	@scripts/need $(TEST_PACKAGES)
 	@BUILD='$(BUILD)' JOBS='$(JOBS)' CONFIGURE='$(CONFIGURE)' scripts/test
+
+bench: rust
+	@cargo bench --locked
 
 clean:
 	rm -rf $(BUILD) $(OUT) target
