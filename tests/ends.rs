@@ -57,6 +57,28 @@ fn changes_within_a_pixel() {
     assert!(failed.is_empty(), "{failed:#?}");
 }
 
+/// A hand that trembles, up to sixty keys within one pixel: within 2 %.
+#[test]
+fn trembling_within_a_pixel() {
+    let line = [[-50.0, 0.0], [50.0, 0.0]];
+    let keys: Vec<Key> = (0..=60)
+        .map(|i| {
+            let force = if i % 2 == 0 { 0.5 } else { 3.0 };
+            Key::force(f64::from(i) / 60.0, force)
+        })
+        .collect();
+    let pattern = pattern(&dark_sheet(), &[Line::Straight(&line)], &keys);
+    let mut failed = Vec::new();
+    for sizes in [[2.0, 10.0], [10.0, 100.0], [120.0, 200.0]] {
+        let name = format!("trembling, {sizes:?} mm");
+        let worst = worst_of_parts(&name, &pattern, &[[0.0, 0.0], [-30.0, 0.0]], sizes);
+        if worst >= 0.02 {
+            failed.push(format!("{name}: {worst}"));
+        }
+    }
+    assert!(failed.is_empty(), "{failed:#?}");
+}
+
 /// A short scratch wholly inside the footprint, at both its ends at once.
 #[test]
 fn short_scratches() {

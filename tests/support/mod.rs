@@ -6,7 +6,9 @@ pub(crate) mod caster;
 pub(crate) mod crowd;
 pub(crate) mod jumps;
 pub(crate) mod lines;
+pub(crate) mod process;
 pub(crate) mod refusal;
+pub(crate) mod tool_surface;
 
 use glam::DVec2;
 use rand::rngs::StdRng;
