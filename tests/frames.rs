@@ -207,38 +207,3 @@ fn lengths_do_not_matter() {
         );
     }
 }
-
-/// A scratch looks the same from both its ends if its section is symmetric, and mirrored if it is not: right
-/// is right of travel.
-#[test]
-fn travel_has_a_right_side() {
-    let tool = Tool::rockwell_c();
-    let stroke = |line: [[f64; 2]; 2], azimuth_deg: f64| {
-        let mut builder = PatternBuilder::new(dark_sheet(), 1.0, [1000.0, 1000.0]).unwrap();
-        let mut key = Key::force(0.0, 2.0);
-        key.orientation.tilt_deg = 25.0;
-        key.orientation.azimuth_deg = azimuth_deg;
-        builder
-            .add(&Scratch {
-                path: Path::Polyline(&line),
-                keys: &[key],
-                ..Scratch::new(&tool)
-            })
-            .unwrap();
-        builder.build()
-    };
-    let [there, back] = [[[0.2, 0.5], [0.8, 0.5]], [[0.8, 0.5], [0.2, 0.5]]];
-    // Leant to the left on the way there is leant to the right on the way back.
-    let [a, b] = [stroke(there, 90.0), stroke(back, -90.0)];
-    let unlike = stroke(back, 90.0);
-    let mut differ = 0;
-    for i in -20..=20 {
-        let uv = DVec2::new(0.5, 0.5 + 1e-5 * f64::from(i));
-        let edge = 1e-5 * DVec2::X;
-        let [a, b, unlike] =
-            [&a, &b, &unlike].map(|pattern| Sheet::UPRIGHT.pixel(pattern, uv, edge, edge.perp()));
-        assert!(relative(a, b) < 1e-4, "{a} there, {b} back, {i}");
-        differ += u32::from(relative(a, unlike) > 0.01);
-    }
-    assert!(differ > 10, "left and right look alike: {differ}");
-}
