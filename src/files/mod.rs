@@ -1,4 +1,5 @@
-//! What is read from files: tools as 3D models (OBJ, STL, PLY) and hardness as images (PNG, EXR).
+//! What is read from files: tools as 3D models (OBJ, STL, PLY) and hardness as images (PNG, EXR). What is written to
+//! files: cross-sections as pictures (PNG, SVG).
 //!
 //! A path or bytes in, a [`Tool`](crate::formation::Tool), a [`HardnessMap`](crate::formation::HardnessMap) or a
 //! [`FileError`] out. What a file says of itself is
@@ -9,6 +10,7 @@ mod error;
 mod image;
 mod mesh;
 mod obj;
+mod plot;
 mod ply;
 mod polygons;
 mod read;
@@ -18,3 +20,4 @@ mod text;
 pub use error::FileError;
 pub use image::{hardness_from_bytes, read_hardness};
 pub use mesh::{MeshFormat, read_tool, tool_from_bytes};
+pub use plot::{Plot, PlotStyle};
