@@ -59,7 +59,7 @@ typedef enum StriaeStatus {
    */
   STRIAE_STATUS_INTERNAL = 2,
   /**
-   * A file could not be read or used. Nothing was made or changed.
+   * A file could not be read, used or written. Nothing was made or changed.
    */
   STRIAE_STATUS_FILE = 3,
 } StriaeStatus;
@@ -313,6 +313,21 @@ typedef enum StriaeWanted {
 } StriaeWanted;
 
 /**
+ * How much a plot says.
+ */
+typedef enum StriaePlotStyle {
+  /**
+   * Axes around the drawing; every zone, area, width and angle labelled.
+   */
+  STRIAE_PLOT_STYLE_ANNOTATED = 0,
+  /**
+   * To be set under another picture of the same place and width: the drawing fills the image to its edges, its
+   * scales lie within, and nothing but the title is written on it.
+   */
+  STRIAE_PLOT_STYLE_STRIP = 1,
+} StriaePlotStyle;
+
+/**
  * A scratch's cross-section. Immutable; any thread may use it; reference-counted.
  */
 typedef struct StriaeCrossSection StriaeCrossSection;
@@ -528,6 +543,33 @@ typedef struct StriaeCrossSectionInfo {
    */
   size_t vertex_count;
 } StriaeCrossSectionInfo;
+
+/**
+ * What else a plot is to be. All zero but struct_size: an annotated plot of all there is.
+ */
+typedef struct StriaePlotOptions {
+  /**
+   * sizeof(StriaePlotOptions)
+   */
+  size_t struct_size;
+  /**
+   * A StriaePlotStyle.
+   */
+  uint32_t style;
+  /**
+   * Written at the top, in bold; a strip has room for further lines, in plain. UTF-8, NUL-terminated. NULL for none
+   * of your own.
+   */
+  const char *title;
+  /**
+   * What is shown across the scratch, from and to, mm, -10000 to 10000; both 0 for what fits.
+   */
+  double x_mm[2];
+  /**
+   * What is shown of depths and heights, likewise.
+   */
+  double z_mm[2];
+} StriaePlotOptions;
 
 /**
  * One indentation: where it was made and what it gave.
@@ -962,6 +1004,27 @@ void striae_cross_section_retain(const struct StriaeCrossSection *cross_section)
  * Drops a reference; the last one frees the cross-section. NULL is fine.
  */
 void striae_cross_section_release(const struct StriaeCrossSection *cross_section);
+
+/**
+ * Draws a cross-section into a file: as PNG or as SVG, by the end of the file's name.
+ *
+ * Zones have their colours, lengths are in µm, and the picture says by how much heights are exaggerated. The same
+ * cross-section gives the same picture on every machine. A file that cannot be written is answered with
+ * STRIAE_STATUS_FILE.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param cross_section the cross-section; one without a scratch is a flat line
+ * @param path the file's path, ending in .png or .svg, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param width_px 64 to 8192
+ * @param height_px 64 to 8192
+ * @param options what else the plot is to be; may be NULL
+ */
+enum StriaeStatus striae_plot_cross_section(const struct StriaeCrossSection *cross_section,
+                                            const char *path,
+                                            uint32_t width_px,
+                                            uint32_t height_px,
+                                            const struct StriaePlotOptions *options);
 
 /**
  * Makes a hardness map from a texture over u and v from 0 to 1: bilinear between texel centres, clamped beyond.

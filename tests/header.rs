@@ -12,6 +12,7 @@ fn header_is_fresh() {
         "files",
         "material",
         "cross_section",
+        "plot",
         "hardness",
         "pattern",
         "shading",

@@ -92,7 +92,7 @@ pub struct StriaeCrossSectionInfo {
 
 /// A scratch's cross-section. Immutable; any thread may use it; reference-counted.
 #[derive(Debug)]
-pub struct StriaeCrossSection(CrossSection);
+pub struct StriaeCrossSection(pub(super) CrossSection);
 
 impl From<Peak> for StriaePeak {
     fn from(peak: Peak) -> Self {

@@ -75,7 +75,7 @@ pub unsafe extern "C" fn striae_hardness_map_load(
 
 /// # Safety
 /// `pointer` is NULL or points to a NUL-terminated text that lives, unchanged, as long as the call.
-unsafe fn path_from<'a>(name: &'static str, pointer: *const c_char) -> Result<&'a Path> {
+pub(super) unsafe fn path_from<'a>(name: &'static str, pointer: *const c_char) -> Result<&'a Path> {
     if pointer.is_null() {
         return Err(Error::text(name, "NULL", "a file's path"));
     }

@@ -22,6 +22,8 @@ mod handle;
 mod hardness;
 mod material;
 mod pattern;
+#[cfg(feature = "files")]
+mod plot;
 mod shading;
 mod status;
 mod tool;
@@ -32,6 +34,8 @@ pub use files::*;
 pub use hardness::*;
 pub use material::*;
 pub use pattern::*;
+#[cfg(feature = "files")]
+pub use plot::*;
 pub use shading::*;
 pub use status::*;
 pub use tool::*;

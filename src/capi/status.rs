@@ -23,7 +23,7 @@ pub enum StriaeStatus {
     InvalidArgument = 1,
     /// A fault of the library's own. Please report it.
     Internal = 2,
-    /// A file could not be read or used. Nothing was made or changed.
+    /// A file could not be read, used or written. Nothing was made or changed.
     File = 3,
 }
 
