@@ -1,5 +1,5 @@
-# Two commands: `make demo` renders the scratched titanium plate, `make test` checks everything.
-# Both install the Debian packages they need, as root or through sudo.
+# `make demo` renders the scratched titanium plate, `make figures` the paper's Figure 9, `make test` checks everything.
+# All of them install the Debian packages they need, as root or through sudo.
 
 MAKEFLAGS += --no-print-directory
 BUILD := build
@@ -12,12 +12,13 @@ PACKAGES := cmake libembree-dev libopenexr-dev libpng-dev pkg-config
 TEST_PACKAGES := $(PACKAGES) g++ binutils
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench clean rust
+.PHONY: help demo figures test bench clean rust
 
 help:
 	@echo "make demo           render the plate's three views into $(OUT)/"
 	@echo "make demo CHECK=1   and compare one sample per pixel with 256"
 	@echo "make demo ARGS=...  with the renderer's own options: ARGS=--help lists them"
+	@echo "make figures        the paper's Figure 9: sixteen scratches over their cross-sections, into $(OUT)/"
 	@echo "make test           every check: Rust and C"
 	@echo "make bench          what a cross-section costs, in time"
 	@echo "make clean          remove $(BUILD)/, $(OUT)/ and target/"
@@ -29,6 +30,12 @@ demo: rust
 	@$(CONFIGURE) -DSTRIAE_FILES=OFF -DSTRIAE_BUILD_TESTS=OFF
 	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_render
 	@$(BUILD)/c_examples/renderer/striae_render --out $(OUT) $(if $(CHECK),--check) $(ARGS)
+
+figures: rust
+	@scripts/need $(PACKAGES)
+	@$(CONFIGURE) -DSTRIAE_BUILD_TESTS=OFF
+	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_figure9
+	@$(BUILD)/c_examples/figure9/striae_figure9 $(OUT)
 
 test: rust
 	@scripts/need $(TEST_PACKAGES)

@@ -1,15 +1,6 @@
 #include "lights.h"
 
-/* A rectangle of columns by rows patches that shines on a point. Its radiance falls smoothly from the top edge
-   to `fade` times as much at the bottom edge. */
-typedef struct Lamp {
-    Vec centre, towards;
-    double width, height; /* scene units */
-    int columns, rows;
-    double radiance[3], fade;
-} Lamp;
-
-static void add_lamp(Lights *lights, const Lamp *lamp) {
+void lights_add(Lights *lights, const Lamp *lamp) {
     const Vec normal = vec_unit(vec_sub(lamp->towards, lamp->centre));
     const Vec across = vec_unit(vec_cross(vec(0.0, 0.0, 1.0), normal));
     const Vec upward = vec_cross(normal, across);
@@ -54,7 +45,7 @@ Lights lights_for_view(const Scene *scene, const Camera *camera) {
                         .rows = 1,
                         .radiance = {3200.0, 3250.0, 3300.0},
                         .fade = 1.0};
-    add_lamp(&lights, &flash);
+    lights_add(&lights, &flash);
 
     /* About where a mirror in the plate's place would show it to the camera, so that it gives the metal its sheen. */
     const Lamp soft_box = {.centre = lamp_place(scene, camera, 200.0, 72.0, distance),
@@ -65,7 +56,7 @@ Lights lights_for_view(const Scene *scene, const Camera *camera) {
                            .rows = 3,
                            .radiance = {0.15, 0.18, 0.23},
                            .fade = 0.1};
-    add_lamp(&lights, &soft_box);
+    lights_add(&lights, &soft_box);
 
     /* The room's four walls, far away and dim: what the plate's own sides mirror. */
     for (int wall = 0; wall < 4; wall++) {
@@ -77,7 +68,7 @@ Lights lights_for_view(const Scene *scene, const Camera *camera) {
                            .rows = 1,
                            .radiance = {0.05, 0.06, 0.07},
                            .fade = 1.0};
-        add_lamp(&lights, &room);
+        lights_add(&lights, &room);
     }
     return lights;
 }

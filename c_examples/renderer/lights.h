@@ -17,6 +17,18 @@ typedef struct Lights {
     size_t count;
 } Lights;
 
+/* A rectangle of columns by rows patches that shines on a point. Its radiance falls smoothly from the top edge
+   to `fade` times as much at the bottom edge. */
+typedef struct Lamp {
+    Vec centre, towards;
+    double width, height; /* scene units */
+    int columns, rows;
+    double radiance[3], fade;
+} Lamp;
+
+/* Patches for which there is no room are left out. */
+void lights_add(Lights *lights, const Lamp *lamp);
+
 /* A flash beside the camera, and a dim large soft box across the scene, both of which go where the camera goes. */
 Lights lights_for_view(const Scene *scene, const Camera *camera);
 
