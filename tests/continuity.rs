@@ -73,7 +73,6 @@ fn along_a_scratch_whose_process_changes() {
 
 /// A tool whose outline has corners, which pass the surface as it is turned.
 #[test]
-#[ignore = "coincident corners fill the slots of a shading point: jumps by 1 %"]
 fn along_a_scratch_of_a_turning_edge() {
     let keys = [
         key(0.0, 1.0, [0.0, 0.0, 0.0]),

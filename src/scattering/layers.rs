@@ -91,7 +91,12 @@ impl Layered {
         )
     }
 
+    /// A vertex where the last one is takes its place: facets without length would fill a shading point for
+    /// nothing.
     fn push(&mut self, [x, z]: [f32; 2], layer: u8) {
+        if self.count > 0 && [self.x[self.count - 1], self.z[self.count - 1]] == [x, z] {
+            self.count -= 1;
+        }
         if self.count < MOST_CUT {
             self.x[self.count] = x;
             self.z[self.count] = z;
