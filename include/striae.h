@@ -12,6 +12,10 @@
  * what was given and what is accepted. Outputs are written on success only; handles become NULL on
  * failure. NULL arguments are refused, never dereferenced. Enumerations are passed as uint32_t.
  *
+ * Every call may be made from any number of threads at once, as long as no two write to the same output or
+ * use the same builder. Calls before shading allocate and take time; arrays, texts and structures given to them
+ * are copied. Where memory runs out the process ends, as in any Rust library.
+ *
  * Handles are immutable and may be shared between threads; retain and release count references, may be
  * called from any thread, and accept NULL. A builder is used by one thread at a time.
  */
@@ -65,7 +69,7 @@ typedef enum StriaeStatus {
 } StriaeStatus;
 
 /**
- * Tools by name, sized as in the trade.
+ * Tools by name. Where no standard is named, none gives the sizes: they are typical ones of our choosing.
  */
 typedef enum StriaeToolPreset {
   /**
@@ -82,7 +86,7 @@ typedef enum StriaeToolPreset {
    */
   STRIAE_TOOL_PRESET_NAIL = 2,
   /**
-   * A slotted screwdriver, blade 0.8 x 4 mm (ISO 2380-1), its edge across the travel.
+   * A slotted screwdriver, blade 0.8 x 4 mm (a size of ISO 2380-1), its edge across the travel.
    */
   STRIAE_TOOL_PRESET_SCREWDRIVER = 3,
   /**
@@ -90,7 +94,7 @@ typedef enum StriaeToolPreset {
    */
   STRIAE_TOOL_PRESET_BERKOVICH = 4,
   /**
-   * A carbide scriber: a 30 degree point, sharp to 0.05 mm.
+   * A scriber: a 30 degree point, sharp to 0.05 mm.
    */
   STRIAE_TOOL_PRESET_SCRIBER = 5,
   /**
@@ -98,23 +102,23 @@ typedef enum StriaeToolPreset {
    */
   STRIAE_TOOL_PRESET_SQUARE_GRAVER = 6,
   /**
-   * A round graver no. 53: a keel 0.6 mm wide, half a circle.
+   * A round graver: a keel 0.6 mm wide, half a circle.
    */
   STRIAE_TOOL_PRESET_ROUND_GRAVER = 7,
   /**
-   * A flat graver no. 38: an edge 0.6 mm wide.
+   * A flat graver: an edge 0.6 mm wide.
    */
   STRIAE_TOOL_PRESET_FLAT_GRAVER = 8,
   /**
-   * A sewing needle's point: 20 degrees in all, tip radius 0.02 mm.
+   * A needle's point: 20 degrees in all, tip radius 0.02 mm.
    */
   STRIAE_TOOL_PRESET_NEEDLE = 9,
   /**
-   * The worn corner of a house key: 90 degrees, tip radius 0.15 mm.
+   * The worn corner of a key: 90 degrees, tip radius 0.15 mm.
    */
   STRIAE_TOOL_PRESET_KEY = 10,
   /**
-   * A corner of an abrasive grain, FEPA P120: 0.125 mm across, sharp.
+   * A corner of an abrasive grain, 0.125 mm across (the mean of FEPA P120), sharp.
    */
   STRIAE_TOOL_PRESET_ABRASIVE_GRAIN = 11,
 } StriaeToolPreset;
@@ -285,11 +289,11 @@ typedef enum StriaeMaterialPreset {
    */
   STRIAE_MATERIAL_PRESET_ACRYLIC = 0,
   /**
-   * Soda-lime glass over a dark ground, 550 HV: brittle, little pile-up, springs back by a third.
+   * Soda-lime glass over a dark ground, 550 HV: brittle, little pile-up (an estimate), springs back by 0.45.
    */
   STRIAE_MATERIAL_PRESET_GLASS = 1,
   /**
-   * Alumina, white, 1500 HV: brittle, little pile-up.
+   * Alumina, white, 1500 HV: brittle, little pile-up (an estimate).
    */
   STRIAE_MATERIAL_PRESET_CERAMIC = 2,
 } StriaeMaterialPreset;

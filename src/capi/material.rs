@@ -78,9 +78,9 @@ pub struct StriaeBrdf {
 pub enum StriaeMaterialPreset {
     /// Acrylic glass (PMMA), opaque grey, 20 HV: springs back.
     Acrylic = 0,
-    /// Soda-lime glass over a dark ground, 550 HV: brittle, little pile-up, springs back by a third.
+    /// Soda-lime glass over a dark ground, 550 HV: brittle, little pile-up (an estimate), springs back by 0.45.
     Glass = 1,
-    /// Alumina, white, 1500 HV: brittle, little pile-up.
+    /// Alumina, white, 1500 HV: brittle, little pile-up (an estimate).
     Ceramic = 2,
 }
 

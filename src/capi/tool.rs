@@ -9,7 +9,7 @@ use crate::formation::Tool;
 #[derive(Debug)]
 pub struct StriaeTool(pub(super) Tool);
 
-/// Tools by name, sized as in the trade.
+/// Tools by name. Where no standard is named, none gives the sizes: they are typical ones of our choosing.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub enum StriaeToolPreset {
@@ -20,23 +20,23 @@ pub enum StriaeToolPreset {
     Vickers = 1,
     /// A wire nail's point: a cone of 50 degrees in all, blunted to 0.1 mm.
     Nail = 2,
-    /// A slotted screwdriver, blade 0.8 x 4 mm (ISO 2380-1), its edge across the travel.
+    /// A slotted screwdriver, blade 0.8 x 4 mm (a size of ISO 2380-1), its edge across the travel.
     Screwdriver = 3,
     /// A three-sided pyramid, faces at 65.27 degrees to the axis (ISO 14577-2).
     Berkovich = 4,
-    /// A carbide scriber: a 30 degree point, sharp to 0.05 mm.
+    /// A scriber: a 30 degree point, sharp to 0.05 mm.
     Scriber = 5,
     /// A square graver: a 90 degree keel on a 2.4 mm bar.
     SquareGraver = 6,
-    /// A round graver no. 53: a keel 0.6 mm wide, half a circle.
+    /// A round graver: a keel 0.6 mm wide, half a circle.
     RoundGraver = 7,
-    /// A flat graver no. 38: an edge 0.6 mm wide.
+    /// A flat graver: an edge 0.6 mm wide.
     FlatGraver = 8,
-    /// A sewing needle's point: 20 degrees in all, tip radius 0.02 mm.
+    /// A needle's point: 20 degrees in all, tip radius 0.02 mm.
     Needle = 9,
-    /// The worn corner of a house key: 90 degrees, tip radius 0.15 mm.
+    /// The worn corner of a key: 90 degrees, tip radius 0.15 mm.
     Key = 10,
-    /// A corner of an abrasive grain, FEPA P120: 0.125 mm across, sharp.
+    /// A corner of an abrasive grain, 0.125 mm across (the mean of FEPA P120), sharp.
     AbrasiveGrain = 11,
 }
 

@@ -130,13 +130,13 @@ impl Tool {
         Self::preset(Self::pyramid(3, 2.0 * 65.27, 3.0))
     }
 
-    /// A common wire nail: a point of about 50° in all, blunted to 0.1 mm.
+    /// A wire nail: a point of 50° in all, blunted to 0.1 mm. No standard says so; sizes of our choosing.
     pub fn nail() -> Self {
         Self::preset(Self::sphero_cone(25.0, 0.1, 3.0))
     }
 
-    /// A slotted screwdriver's edge across the travel: blade 0.8 x 4 mm (ISO 2380-1), its tip ground flat 0.8 mm
-    /// thick, faces 10° to the axis. Tilt it sideways and one corner scratches.
+    /// A slotted screwdriver's edge across the travel: blade 0.8 x 4 mm, a size of ISO 2380-1, its tip ground flat
+    /// 0.8 mm thick; faces at 10° to the axis, an angle of our choosing. Tilt it sideways and one corner scratches.
     pub fn screwdriver() -> Self {
         let (half_width, half_thickness, height) = (2.0, 0.4, 5.0);
         let top = half_thickness + height * 10_f64.to_radians().tan();
@@ -151,23 +151,25 @@ impl Tool {
         }
     }
 
-    /// A carbide scriber: a 30° point, sharp to 0.05 mm, as machinists' pocket scribers are sold.
+    /// A scriber: a point of 30° in all, sharp to 0.05 mm. No standard says so; sizes of our choosing.
     pub fn scriber() -> Self {
         Self::preset(Self::sphero_cone(15.0, 0.05, 3.0))
     }
 
-    /// A square graver, 2.4 mm bar (no. 6 in GRS's list): two sides that meet in a 90° keel.
+    /// A square graver: two sides of a 2.4 mm square bar that meet in a 90° keel. The bar's size is of our
+    /// choosing, the keel's angle is the square's.
     pub fn square_graver() -> Self {
         let half = 2.4 * core::f64::consts::FRAC_1_SQRT_2;
         Self::preset(Self::profile(&[[-half, half], [0.0, 0.0], [half, half]]))
     }
 
-    /// A round graver no. 53: a keel 0.6 mm wide, half a circle.
+    /// A round graver: a keel 0.6 mm wide, half a circle. A size of our choosing; makers' numbers differ.
     pub fn round_graver() -> Self {
         Self::preset(Self::profile(&round_keel(0.3)))
     }
 
-    /// A flat graver no. 38: a straight edge 0.6 mm wide between upright sides.
+    /// A flat graver: a straight edge 0.6 mm wide between upright sides. A size of our choosing; makers' numbers
+    /// differ.
     pub fn flat_graver() -> Self {
         Self::preset(Self::profile(&[
             [-0.3, 2.0],
@@ -177,17 +179,18 @@ impl Tool {
         ]))
     }
 
-    /// A sewing needle's point: a cone of 20° in all, tip radius 0.02 mm.
+    /// A needle's point: a cone of 20° in all, tip radius 0.02 mm. Sizes of our choosing.
     pub fn needle() -> Self {
         Self::preset(Self::sphero_cone(10.0, 0.02, 2.0))
     }
 
-    /// The edge of a house key: brass stamped square, its 90° corner worn round to 0.15 mm.
+    /// The corner of a key: 90°, worn round to 0.15 mm. Sizes of our choosing.
     pub fn key() -> Self {
         Self::preset(Self::sphero_cone(45.0, 0.15, 2.0))
     }
 
-    /// A corner of an abrasive grain, FEPA P120 (0.125 mm across): an irregular octahedron, sharp.
+    /// A corner of an abrasive grain of the mean size of FEPA grit P120, 0.125 mm across: an irregular octahedron of
+    /// our choosing, sharp.
     pub fn abrasive_grain() -> Self {
         let half = 0.0625;
         let corners = [

@@ -291,7 +291,8 @@ impl Shading {
         if all > 1.0 {
             reliefs.iter_mut().for_each(|relief| relief.gain /= all);
         }
-        self.coverage = all.clamp(0.0, 1.0);
+        // An empty sum is -0.
+        self.coverage = (0.0 + all).clamp(0.0, 1.0);
     }
 }
 
