@@ -172,20 +172,25 @@ fn layers_show_by_depth() {
     );
 }
 
-/// A hand that does not turn: going there and back its tool leaves mirrored cross-sections relative to the
-/// travel, so the same ones on the surface; a hand that turns with the path does not.
-#[test]
-fn fixed_hand_does_not_turn() {
-    let tool = Tool::vickers();
+/// A tool leant so that its two sides differ.
+fn leant() -> Key {
     let orientation = Orientation {
         spin_deg: 30.0,
         tilt_deg: 15.0,
         azimuth_deg: 40.0,
     };
-    let keys = [Key {
+    Key {
         orientation,
         ..Key::force(0.0, 1.0)
-    }];
+    }
+}
+
+/// A hand that does not turn: going there and back its tool leaves mirrored cross-sections relative to the
+/// travel, so the same ones on the surface; a hand that turns with the path does not.
+#[test]
+fn fixed_hand_does_not_turn() {
+    let tool = Tool::vickers();
+    let keys = [leant()];
     let there = Path::Polyline(&[[0.1, 0.5], [0.9, 0.5]]);
     let back = Path::Polyline(&[[0.9, 0.5], [0.1, 0.5]]);
     let shown = |path: Path<'_>, held: Held| {
@@ -211,15 +216,7 @@ fn fixed_hand_does_not_turn() {
 #[test]
 fn fixed_hand_turns_smoothly() {
     let tool = Tool::vickers();
-    let orientation = Orientation {
-        spin_deg: 30.0,
-        tilt_deg: 15.0,
-        azimuth_deg: 40.0,
-    };
-    let keys = [Key {
-        orientation,
-        ..Key::force(0.0, 1.0)
-    }];
+    let keys = [leant()];
     let path = Path::Polyline(&[[0.1, 0.5], [0.5, 0.5], [0.9, 0.52]]);
     let scratch = Scratch {
         path,

@@ -5,8 +5,8 @@
 /// Optical constants are read off measured tables at 650, 550 and 450 nm for red, green and blue: aluminium from
 /// Rakic 1995 (Appl. Opt. 34), brass (70 Cu 30 Zn) from Querry 1985 (CRDC-CR-85034), copper, gold and silver
 /// from Johnson and Christy 1972 (Phys. Rev. B 6), the others from Johnson and Christy 1974 (Phys. Rev. B 9).
-/// Hardness of the elements is Samsonov's Vickers hardness, over 9.80665, (Handbook of the Physicochemical Properties of the Elements, 1968), of
-/// the alloys and of titanium that of their data sheets.
+/// Hardness of the elements is Samsonov's Vickers hardness (Handbook of the Physicochemical Properties of the
+/// Elements, 1968) over 9.80665, of the alloys and of titanium a value typical of the temper named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metal {
     /// Aluminium alloy 6061-T6, 107 HV.
