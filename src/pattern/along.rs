@@ -1,7 +1,7 @@
 //! Where a path is, and which way it heads, at a share of its arc length. Build time only.
 
 use super::closest::{bezier, length_share, tangent};
-use super::path::Piece;
+use super::pieces::Piece;
 use glam::DVec2;
 
 /// Over this length on either side of a corner the heading turns from one leg's to the next.
@@ -146,12 +146,14 @@ impl<'a> Along<'a> {
 mod tests {
     use super::*;
     use crate::pattern::Path;
+    use crate::pattern::pieces::pieces;
 
     /// Half way along an L is its corner; the heading passes through the mean of both legs there.
     #[test]
     fn corner_is_turned_evenly() {
         let path = Path::Polyline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]);
-        let (pieces, length) = path.pieces(DVec2::ONE, 0).unwrap();
+        let curves = path.curves(DVec2::ONE).unwrap();
+        let (pieces, length) = pieces(&curves, DVec2::ONE, 0);
         let along = Along::new(&pieces, DVec2::ONE, 10.0 * length);
         assert!(
             along.uv(0.5).abs_diff_eq(DVec2::new(1.0, 0.0), 1e-9),

@@ -3,7 +3,7 @@
 use super::Scratch;
 use super::along::Along;
 use super::grid::Grid;
-use super::path::Piece;
+use super::pieces::{Piece, pieces};
 use super::track::{Extent, Ground, Track};
 use crate::brdf::Finish;
 use crate::error::{Result, in_range};
@@ -71,7 +71,8 @@ impl PatternBuilder {
             0.0,
             f64::from(u32::MAX),
         )?;
-        let (pieces, length) = scratch.path.pieces(self.units_per_uv, number)?;
+        let curves = scratch.path.curves(self.units_per_uv)?;
+        let (pieces, length) = pieces(&curves, self.units_per_uv, number);
         let ground = Ground {
             along: Along::new(&pieces, self.units_per_uv, length * self.mm_per_scene_unit),
             surface: &self.material,

@@ -1,6 +1,6 @@
 //! A uniform grid over texture space (Bosch et al. 2004, section 5): which pieces lie near a pixel.
 
-use super::path::Piece;
+use super::pieces::Piece;
 use core::ops::RangeInclusive;
 use glam::DVec2;
 
@@ -168,6 +168,7 @@ fn cell_number(at: f64) -> usize {
 mod tests {
     use super::*;
     use crate::pattern::Path;
+    use crate::pattern::pieces::pieces as cut;
     use rand::rngs::StdRng;
     use rand::{Rng, SeedableRng};
 
@@ -179,12 +180,8 @@ mod tests {
         for scratch in 0..300 {
             let mut point = || [rng.random::<f64>() * 2.0, rng.random::<f64>()];
             let points = [point(), point(), point(), point()];
-            pieces.extend(
-                Path::CubicBezier(&points)
-                    .pieces(DVec2::ONE, scratch)
-                    .unwrap()
-                    .0,
-            );
+            let curves = Path::CubicBezier(&points).curves(DVec2::ONE).unwrap();
+            pieces.extend(cut(&curves, DVec2::ONE, scratch).0);
         }
         let grid = Grid::new(&pieces);
         for _ in 0..300 {

@@ -9,6 +9,7 @@ mod builder;
 mod closest;
 mod grid;
 mod path;
+mod pieces;
 mod point;
 mod query;
 mod region;

@@ -1,7 +1,7 @@
 //! Which scratches a pixel sees, and how each runs through its footprint.
 
 use super::closest::{length_share, nearest};
-use super::path::Piece;
+use super::pieces::Piece;
 use super::point::Metric;
 use super::region::Region;
 use super::{Pattern, Track};

@@ -303,11 +303,13 @@ mod tests {
     use crate::brdf::Metal;
     use crate::formation::{Orientation, Tool};
     use crate::pattern::Path;
+    use crate::pattern::pieces::pieces;
 
     fn track(keys: &[Key]) -> Track {
         let tool = Tool::rockwell_c();
         let path = Path::Polyline(&[[0.0, 0.0], [1.0, 0.0]]);
-        let (pieces, length) = path.pieces(DVec2::ONE, 0).unwrap();
+        let curves = path.curves(DVec2::ONE).unwrap();
+        let (pieces, length) = pieces(&curves, DVec2::ONE, 0);
         let steel = Material::metal(Metal::Steel);
         let ground = Ground {
             along: Along::new(&pieces, DVec2::ONE, length),
