@@ -22,7 +22,18 @@ pub(crate) struct Finish {
     second: [f32; 3],
 }
 
+impl Default for Finish {
+    fn default() -> Self {
+        Self::BLACK
+    }
+}
+
 impl Finish {
+    /// How wide its lobe is: the slope of its microfacets, 1 if it has none.
+    pub(crate) fn alpha(&self) -> f32 {
+        self.alpha
+    }
+
     pub(crate) const BLACK: Self = Self {
         kind: LAMBERT,
         alpha: 1.0,

@@ -8,6 +8,7 @@ use super::outline::{Outline, Piece};
 use crate::error::{Error, Result, in_range};
 use core::f64::consts::{FRAC_PI_2, TAU};
 use glam::{DVec2, DVec3};
+use std::sync::Arc;
 
 /// A scratching tool.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +27,7 @@ enum Shape {
     /// The convex hull of these points.
     Hull(Vec<DVec3>),
     /// Any surface.
-    Mesh(Mesh),
+    Mesh(Arc<Mesh>),
 }
 
 impl Tool {
@@ -102,7 +103,7 @@ impl Tool {
             .map(|&position| DVec3::from(position) * mm_per_unit)
             .collect();
         Ok(Self {
-            shape: Shape::Mesh(Mesh::from_triangles(&vertices, triangles)?),
+            shape: Shape::Mesh(Arc::new(Mesh::from_triangles(&vertices, triangles)?)),
         })
     }
 
@@ -110,7 +111,7 @@ impl Tool {
     /// mm, two or more. Its lowest point becomes the tip.
     pub fn profile(points_mm: &[[f64; 2]]) -> Result<Self> {
         Ok(Self {
-            shape: Shape::Mesh(Mesh::from_profile(points_mm)?),
+            shape: Shape::Mesh(Arc::new(Mesh::from_profile(points_mm)?)),
         })
     }
 
@@ -207,12 +208,22 @@ impl Tool {
             .flat_map(|end| [[1, 3], [3, 2], [2, 4], [4, 1]].map(|[a, b]| [end, a, b]));
         let mesh = Mesh::from_triangles(&corners, &faces.collect::<Vec<_>>());
         Self {
-            shape: Shape::Mesh(mesh.expect("a preset's sizes lie in their ranges")),
+            shape: Shape::Mesh(Arc::new(
+                mesh.expect("a preset's sizes lie in their ranges"),
+            )),
         }
     }
 
     fn preset(tool: Result<Self>) -> Self {
         tool.expect("a preset's sizes lie in their ranges")
+    }
+
+    /// Whether two tools are the same; meshes that share their memory are not compared point by point.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        match (&self.shape, &other.shape) {
+            (Shape::Mesh(a), Shape::Mesh(b)) if Arc::ptr_eq(a, b) => true,
+            (a, b) => a == b,
+        }
     }
 
     /// The lower envelope of the tool held so, on the plane across its travel.

@@ -2,35 +2,46 @@
 
 use super::Scratch;
 use super::along::Along;
-use super::grid::Grid;
-use super::pieces::{Piece, pieces};
-use super::track::{Extent, Ground, Track};
-use crate::brdf::Finish;
-use crate::error::{Result, in_range};
+use super::course::{self, Courses};
+use super::kinds::Kinds;
+use super::pattern::{Pattern, Strand};
+use super::pieces::{Chains, Piece};
+use super::scratch::{Held, Key};
+use super::track::{Ground, Track, check_keys};
+use crate::error::{Error, Result, in_range};
 use crate::formation::{HardnessMap, Material};
+use crate::single;
 use glam::DVec2;
+use rayon::prelude::*;
 
-/// A surface with its scratches, immutable: share it between threads as you like.
-#[derive(Clone, Debug)]
-pub struct Pattern {
-    pub(super) pieces: Vec<Piece>,
-    pub(super) tracks: Vec<Track>,
-    pub(super) grid: Grid,
-    pub(crate) surface: Finish,
-    pub(crate) mm_per_scene_unit: f64,
-    /// How far any scratch reaches from its centre line.
-    pub(crate) extent: Extent,
-}
-
-/// Collects scratches. Each is checked and its cross-sections are formed as it is added.
+/// Collects scratches. Each is checked as it is added.
 #[derive(Clone, Debug)]
 pub struct PatternBuilder {
-    material: Material,
+    pub(super) material: Material,
     hardness: Option<HardnessMap>,
-    mm_per_scene_unit: f64,
-    units_per_uv: DVec2,
-    pieces: Vec<Piece>,
-    tracks: Vec<Track>,
+    pub(super) mm_per_scene_unit: f64,
+    pub(super) units_per_uv: DVec2,
+    pub(super) chains: Chains,
+    pub(super) courses: Courses,
+    pub(super) kinds: Kinds,
+    /// Cross-sections of scratches that share theirs with no other.
+    pub(super) own: Vec<Track>,
+    pub(super) scratches: Vec<Added>,
+}
+
+/// A scratch as the builder keeps it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Added {
+    pub strand: Strand,
+    /// The strand's track is a number of `own`, not of `kinds`.
+    pub is_own: bool,
+}
+
+/// What can be made of a scratch without knowing the others.
+struct Prepared {
+    chains: Chains,
+    own: Option<Track>,
+    length: f64,
 }
 
 impl PatternBuilder {
@@ -43,16 +54,17 @@ impl PatternBuilder {
         for units in units_per_uv {
             in_range("units_per_uv", units, 1e-9, 1e9)?;
         }
+        material.check()?;
         Ok(Self {
-            material: {
-                material.check()?;
-                material
-            },
+            material,
             hardness: None,
             mm_per_scene_unit,
             units_per_uv: DVec2::from(units_per_uv),
-            pieces: Vec::new(),
-            tracks: Vec::new(),
+            chains: Chains::default(),
+            courses: Courses::default(),
+            kinds: Kinds::default(),
+            own: Vec::new(),
+            scratches: Vec::new(),
         })
     }
 
@@ -64,50 +76,106 @@ impl PatternBuilder {
 
     /// Adds a scratch. If it is refused, the builder is as it was.
     pub fn add(&mut self, scratch: &Scratch<'_>) -> Result<()> {
-        let number = u32::try_from(self.tracks.len()).unwrap_or(u32::MAX);
+        let prepared = self.prepare(scratch)?;
+        self.keep(scratch, prepared)
+    }
+
+    /// Adds scratches in their order, prepared on all cores: the result is that of adding one by one. If one is
+    /// refused, those before it have been added; the error names its number.
+    pub fn add_all(&mut self, scratches: &[Scratch<'_>]) -> Result<()> {
+        // In portions: what is prepared and not yet kept takes memory.
+        const PORTION: usize = 16_384;
+        for (i, portion) in scratches.chunks(PORTION).enumerate() {
+            let prepared: Vec<_> = portion.par_iter().map(|one| self.prepare(one)).collect();
+            for (k, (scratch, prepared)) in portion.iter().zip(prepared).enumerate() {
+                let kept = prepared.and_then(|prepared| self.keep(scratch, prepared));
+                kept.map_err(|error| error.within("scratches", i * PORTION + k))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn prepare(&self, scratch: &Scratch<'_>) -> Result<Prepared> {
+        let curves = scratch.path.curves(self.units_per_uv)?;
+        let length = curves.iter().map(|curve| curve.length).sum();
+        let chains = Chains::of_path(&curves, self.units_per_uv);
+        check_keys(scratch.keys)?;
+        let material = scratch.material.unwrap_or(&self.material);
+        material.check()?;
+        let hardness = self.hardness.as_ref();
+        let alike = |pair: &[Key]| pair[0].orientation == pair[1].orientation;
+        let varies = (hardness.is_some() && scratch.material.is_none())
+            || scratch.held == Held::ToSurface
+            || !scratch.keys.windows(2).all(alike);
+        let own = varies.then(|| {
+            let length_mm = length * self.mm_per_scene_unit;
+            let ground = Ground {
+                along: Along::new(chains.curves(), self.units_per_uv, length_mm),
+                surface: &self.material,
+                hardness,
+            };
+            Track::along(scratch, &ground)
+        });
+        Ok(Prepared {
+            own: own.transpose()?,
+            chains,
+            length,
+        })
+    }
+
+    fn keep(&mut self, scratch: &Scratch<'_>, prepared: Prepared) -> Result<()> {
+        let Prepared {
+            chains,
+            own,
+            length,
+        } = prepared;
+        let most = f64::from(u32::MAX);
         in_range(
             "scratch_count",
-            f64::from(number) + 1.0,
+            (self.scratches.len() + 1) as f64,
             0.0,
-            f64::from(u32::MAX),
+            most,
         )?;
-        let curves = scratch.path.curves(self.units_per_uv)?;
-        let (pieces, length) = pieces(&curves, self.units_per_uv, number);
-        let ground = Ground {
-            along: Along::new(&pieces, self.units_per_uv, length * self.mm_per_scene_unit),
-            surface: &self.material,
-            hardness: self.hardness.as_ref(),
+        let points = self.chains.points.len() + chains.points.len();
+        if points > Piece::MOST_POINTS {
+            let accepted = "at most 1073741823 control points in all";
+            return Err(Error::count("point_count", points, accepted));
+        }
+        let is_own = own.is_some();
+        let (track, knots, scale) = match own {
+            Some(track) => {
+                self.own.push(track);
+                (
+                    number(self.own.len() - 1),
+                    course::BY_ARC_LENGTH.to_vec(),
+                    1.0,
+                )
+            }
+            None => {
+                let track = self.kinds.place(scratch, &self.material)?;
+                let (knots, scale) = course::of_keys(scratch.keys, scratch.depth_law);
+                (track, knots, scale)
+            }
         };
-        let track = Track::new(scratch, &ground)?;
-        let pieces = ground.along.cut_at(&track.cuts());
-        let all = (self.pieces.len() + pieces.len()) as f64;
-        in_range("piece_count", all, 0.0, f64::from(u32::MAX))?;
-        self.pieces.extend(pieces);
-        self.tracks.push(track);
+        let strand = Strand {
+            first_piece: number(self.chains.pieces.len()),
+            track,
+            first_knot: self.courses.place(&knots),
+            knot_count: number(knots.len()),
+            scale,
+            length: single(length),
+        };
+        self.chains.append(&chains, number(self.scratches.len()));
+        self.scratches.push(Added { strand, is_own });
         Ok(())
     }
 
     /// The pattern so far. The builder stays usable.
     pub fn build(&self) -> Pattern {
-        let extents = self.tracks.iter().map(|track| track.extent);
-        let extent = extents.fold(Extent::default(), |all, one| Extent {
-            half_width_mm: all.half_width_mm.max(one.half_width_mm),
-            height_mm: all.height_mm.max(one.height_mm),
-        });
-        Pattern {
-            pieces: self.pieces.clone(),
-            tracks: self.tracks.clone(),
-            grid: Grid::new(&self.pieces),
-            surface: Finish::new(&self.material.surface),
-            mm_per_scene_unit: self.mm_per_scene_unit,
-            extent,
-        }
+        Pattern::of(self)
     }
 }
 
-impl Pattern {
-    /// How many scratches it holds.
-    pub fn scratch_count(&self) -> usize {
-        self.tracks.len()
-    }
+fn number(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
 }

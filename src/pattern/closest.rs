@@ -43,12 +43,23 @@ pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2
 
 /// The unit tangent at parameter t.
 pub(crate) fn tangent(control: &[DVec2; 4], t: f64) -> DVec2 {
-    let (first, _) = derivatives(control, t);
-    let chord = control[3] - control[0];
-    // At a control point that lies on the curve's end the derivative vanishes.
+    let (first, second) = derivatives(control, t);
+    let [a, _, _, d] = *control;
+    let chord = d - a;
+    // At a control point that lies on the curve's end the derivative vanishes: the curve leaves along the next.
     let vanishes = first.length_squared() <= 1e-12 * chord.length_squared();
-    let direction = if vanishes { chord } else { first };
+    let inward = if t > 0.5 { -second } else { second };
+    let direction = match vanishes {
+        false => first,
+        true if inward.length_squared() > 1e-12 * chord.length_squared() => inward,
+        true => chord,
+    };
     direction.normalize_or(DVec2::X)
+}
+
+/// How fast a curve runs at parameter t, per unit of it.
+pub(crate) fn speed(control: &[DVec2; 4], t: f64) -> f64 {
+    derivatives(control, t).0.length()
 }
 
 /// Share of the piece's arc length at parameter t: cubic Hermite through the speeds at both ends.

@@ -1,139 +1,351 @@
-//! A uniform grid over texture space (Bosch et al. 2004, section 5): which pieces lie near a pixel.
+//! A uniform grid over texture space (Bosch et al. 2004, section 5) in two levels: which pieces lie near a pixel.
+//!
+//! Each cell is divided again, as finely as its own pieces ask for, so that a crowded corner costs no more
+//! than an empty plain (as the two-level grids of Kalojanov et al. 2011 for ray tracing).
 
-use super::pieces::Piece;
-use core::ops::RangeInclusive;
+use super::pieces::{Curves, bounds, sagitta};
+use core::ops::{ControlFlow, RangeInclusive};
 use glam::DVec2;
+use rayon::prelude::*;
 
-/// Cells per side are at most this.
-const MOST_CELLS: f64 = 2048.0;
+/// Pieces that a cell should hold on average.
+const PER_CELL: f64 = 64.0;
 
-/// Each cell lists the pieces that cross it, in two flat arrays: no pointers to chase.
+/// Pieces that a part of a cell should hold.
+const PER_PART: f64 = 2.0;
+
+/// A cell that holds more than this many times its share (as seen by an average piece) asks for smaller cells.
+const CROWDED: f64 = 4.0;
+
+/// Most parts of a cell, per side.
+const MOST_PARTS: f64 = 1024.0;
+
+/// Each part of each cell lists the pieces that cross it, all in two flat arrays: no pointers to chase.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Grid {
-    origin: DVec2,
-    /// Cells per unit of u and v.
-    per_unit: DVec2,
-    columns: usize,
-    rows: usize,
-    /// Where each cell's list starts in `entries`; one more than there are cells.
+    pub raster: Raster,
+    cells: Vec<Cell>,
+    /// Where each part's list starts in `entries`; one more than there are parts.
     starts: Vec<u32>,
     entries: Vec<u32>,
 }
 
+/// A rectangle in equal cells.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
+pub(crate) struct Raster {
+    origin: DVec2,
+    /// Cells per unit of u and v.
+    per_unit: DVec2,
+    pub columns: u32,
+    pub rows: u32,
+}
+
+/// A cell's parts: `side` by `side`, their lists beginning at number `first` of `starts`.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+struct Cell {
+    first: u32,
+    side: u32,
+}
+
 impl Grid {
-    pub(crate) fn new(pieces: &[Piece]) -> Self {
+    /// The grid, and the pieces of each of its cells.
+    pub(crate) fn new(curves: Curves<'_>) -> (Self, CellPieces) {
+        let count = curves.pieces.len();
         let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-        let [low, high] = pieces.iter().map(Piece::bounds).fold(empty, |all, piece| {
-            [all[0].min(piece[0]), all[1].max(piece[1])]
-        });
-        if pieces.is_empty() {
-            return Self::default();
+        let wider = |a: [DVec2; 2], b: [DVec2; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        let all = (0..count).into_par_iter().map(|i| curves.bounds(i));
+        let [low, high] = all.reduce(|| empty, wider);
+        if count == 0 {
+            return Default::default();
         }
-        // About one cell per piece, square, slightly larger than the pattern.
-        let size = (high - low).max(DVec2::splat(1e-9)) * (1.0 + 1e-9);
-        let per_side = (pieces.len() as f64 / (size.x * size.y)).sqrt();
-        let cells = (size * per_side)
-            .ceil()
-            .clamp(DVec2::ONE, DVec2::splat(MOST_CELLS));
-        let mut grid = Self {
-            origin: low,
-            per_unit: cells / size,
-            columns: cell_number(cells.x),
-            rows: cell_number(cells.y),
-            starts: Vec::new(),
-            entries: Vec::new(),
-        };
-        grid.fill(pieces);
-        grid
-    }
-
-    /// Counts each cell's pieces, then lists them.
-    fn fill(&mut self, pieces: &[Piece]) {
-        let mut counts = vec![0_u32; self.columns * self.rows + 1];
-        self.for_each_entry(pieces, |cell, _| counts[cell + 1] += 1);
-        for cell in 1..counts.len() {
-            counts[cell] += counts[cell - 1];
-        }
-        let mut next = counts.clone();
-        let mut entries = vec![0; counts[counts.len() - 1] as usize];
-        self.for_each_entry(pieces, |cell, piece| {
-            entries[next[cell] as usize] = piece;
-            next[cell] += 1;
-        });
-        self.starts = counts;
-        self.entries = entries;
-    }
-
-    fn for_each_entry(&self, pieces: &[Piece], mut visit: impl FnMut(usize, u32)) {
-        for (number, piece) in (0_u32..).zip(pieces) {
-            for row in self.rows_of(piece) {
-                for column in self.columns_of(piece, row) {
-                    visit(row * self.columns + column, number);
-                }
+        // Square cells, slightly larger than the pattern; a pattern of one line is a strip.
+        let longest = (high - low).max_element();
+        let size = (high - low).max(DVec2::splat(longest / PER_CELL)) * (1.0 + 1e-9);
+        let mut per_cell = PER_CELL;
+        loop {
+            let raster = Raster::over(low, size, count as f64 / per_cell);
+            let pairs = raster.pairs(curves);
+            let crowded = mean_in_cell(&pairs) > CROWDED * PER_CELL;
+            if crowded && per_cell > 4.0 && raster.columns.max(raster.rows) < 4096 {
+                per_cell *= 0.25;
+            } else {
+                let cells = CellPieces::new(raster, pairs);
+                return (Self::of_cells(curves, raster, &cells), cells);
             }
         }
     }
 
-    /// Calls `visit` once with each piece that may touch the box from `low` to `high`.
+    fn of_cells(curves: Curves<'_>, raster: Raster, cells: &CellPieces) -> Self {
+        let count = raster.count();
+        let parts: Vec<Parts> = (0..count)
+            .into_par_iter()
+            .map(|cell| Parts::of(curves, raster.cell(cell), cells.pairs(cell)))
+            .collect();
+        let mut grid = Self {
+            raster,
+            cells: Vec::with_capacity(count),
+            starts: Vec::with_capacity(parts.iter().map(|part| part.ends.len()).sum::<usize>() + 1),
+            entries: Vec::with_capacity(parts.iter().map(|part| part.entries.len()).sum()),
+        };
+        grid.starts.push(0);
+        for Parts {
+            side,
+            ends,
+            entries,
+        } in &parts
+        {
+            let before = number(grid.entries.len());
+            grid.cells.push(Cell {
+                first: number(grid.starts.len() - 1),
+                side: *side,
+            });
+            grid.starts.extend(ends.iter().map(|end| before + end));
+            grid.entries.extend(entries);
+        }
+        grid
+    }
+
+    /// Calls `visit` with each piece that may touch the box from `low` to `high`, once or more, until it breaks.
     pub(crate) fn query(
         &self,
-        pieces: &[Piece],
         low: DVec2,
         high: DVec2,
-        mut visit: impl FnMut(u32),
-    ) {
-        let end = self.origin + DVec2::new(self.columns as f64, self.rows as f64) / self.per_unit;
-        // Also false for an empty grid and for NaN.
-        if !(low.cmple(end).all() && high.cmpge(self.origin).all() && self.columns > 0) {
-            return;
-        }
-        let (columns, rows) = (self.cells(low.x, high.x, 0), self.cells(low.y, high.y, 1));
-        for row in rows.clone() {
+        mut visit: impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let Some((columns, rows)) = self.raster.touched(low, high) else {
+            return ControlFlow::Continue(());
+        };
+        for row in rows {
             for column in columns.clone() {
-                let cell = row * self.columns + column;
-                for &number in
-                    &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
-                {
-                    let piece = &pieces[number as usize];
-                    let [from, to] = piece.bounds();
-                    let near = from.cmple(high).all() && to.cmpge(low).all();
-                    if near && self.first_cell(piece, &rows, &columns) == Some((row, column)) {
-                        visit(number);
+                let number = row * self.raster.columns + column;
+                let Some(cell) = self.cells.get(number as usize) else {
+                    continue;
+                };
+                let parts = self.raster.cell(number as usize).parted(cell.side);
+                let Some((columns, rows)) = parts.touched(low, high) else {
+                    continue;
+                };
+                for row in rows {
+                    for column in columns.clone() {
+                        for &piece in self.list(cell.first + row * cell.side + column) {
+                            visit(piece)?;
+                        }
                     }
                 }
             }
         }
+        ControlFlow::Continue(())
     }
 
-    /// The first cell of the queried ones that lists the piece: there, and only there, it is reported.
-    fn first_cell(
-        &self,
-        piece: &Piece,
-        rows: &RangeInclusive<usize>,
-        columns: &RangeInclusive<usize>,
-    ) -> Option<(usize, usize)> {
-        let own = self.rows_of(piece);
-        let shared = *own.start().max(rows.start())..=*own.end().min(rows.end());
-        shared.into_iter().find_map(|row| {
-            let listed = self.columns_of(piece, row);
-            let column = *listed.start().max(columns.start());
-            let last = *listed.end().min(columns.end());
-            (column <= last).then_some((row, column))
+    /// The pieces of a part.
+    fn list(&self, part: u32) -> &[u32] {
+        let start = |i: u32| {
+            self.starts
+                .get(i as usize)
+                .map_or(0, |&start| start as usize)
+        };
+        self.entries
+            .get(start(part)..start(part + 1))
+            .unwrap_or(&[])
+    }
+}
+
+/// The pieces of each of a grid's cells, for what else is built from them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct CellPieces {
+    /// Cell and piece numbers, sorted.
+    pairs: Vec<u64>,
+    /// Where each cell's begin; one more than there are cells.
+    starts: Vec<usize>,
+}
+
+impl CellPieces {
+    fn new(raster: Raster, pairs: Vec<u64>) -> Self {
+        let mut starts = vec![0; raster.count() + 1];
+        for &pair in &pairs {
+            starts[(pair >> 32) as usize + 1] += 1;
+        }
+        for cell in 0..raster.count() {
+            starts[cell + 1] += starts[cell];
+        }
+        Self { pairs, starts }
+    }
+
+    fn pairs(&self, cell: usize) -> &[u64] {
+        &self.pairs[self.starts[cell]..self.starts[cell + 1]]
+    }
+
+    pub(crate) fn of(&self, cell: usize) -> impl Iterator<Item = usize> {
+        self.pairs(cell).iter().map(|&pair| low_half(pair) as usize)
+    }
+}
+
+/// How many pieces share a cell with an average piece.
+fn mean_in_cell(pairs: &[u64]) -> f64 {
+    let runs = pairs.chunk_by(|a, b| a >> 32 == b >> 32);
+    let squares: f64 = runs.map(|run| (run.len() as f64).powi(2)).sum();
+    squares / (pairs.len() as f64).max(1.0)
+}
+
+/// A cell's parts, on their own.
+struct Parts {
+    side: u32,
+    /// Where each part's list ends in `entries`.
+    ends: Vec<u32>,
+    entries: Vec<u32>,
+}
+
+impl Parts {
+    fn of(curves: Curves<'_>, cell: Raster, pairs: &[u64]) -> Self {
+        let side = (pairs.len() as f64 / PER_PART).sqrt().ceil();
+        let raster = cell.parted(cell_number(side.clamp(1.0, MOST_PARTS)));
+        let mut listed = Vec::with_capacity(2 * pairs.len());
+        for piece in pairs.iter().map(|&pair| pair & 0xffff_ffff) {
+            let control = curves.control(usize::try_from(piece).unwrap_or(0));
+            raster.for_each_cell(&control, |cell| listed.push(u64::from(cell) << 32 | piece));
+        }
+        listed.sort_unstable();
+        let count = raster.columns * raster.rows;
+        let upto =
+            |part: u32| number(listed.partition_point(|&pair| pair >> 32 <= u64::from(part)));
+        Self {
+            side: raster.columns,
+            ends: (0..count).map(upto).collect(),
+            entries: listed.iter().map(|&pair| low_half(pair)).collect(),
+        }
+    }
+}
+
+impl Raster {
+    /// About `count` square cells over a rectangle.
+    fn over(origin: DVec2, size: DVec2, count: f64) -> Self {
+        let per_side = (count / (size.x * size.y)).sqrt();
+        let cells = (size * per_side)
+            .ceil()
+            .clamp(DVec2::ONE, DVec2::splat(4096.0));
+        Self {
+            origin,
+            per_unit: cells / size,
+            columns: cell_number(cells.x),
+            rows: cell_number(cells.y),
+        }
+    }
+
+    /// How many cells it has.
+    pub(crate) fn count(&self) -> usize {
+        self.columns as usize * self.rows as usize
+    }
+
+    /// Half as many cells per side.
+    pub(crate) fn coarser(&self) -> Self {
+        Self {
+            per_unit: 0.5 * self.per_unit,
+            columns: self.columns.div_ceil(2),
+            rows: self.rows.div_ceil(2),
+            ..*self
+        }
+    }
+
+    /// The cells that one of `coarser` holds.
+    pub(crate) fn children(&self, coarser: Self, cell: usize) -> impl Iterator<Item = usize> {
+        let (columns, rows) = (self.columns as usize, self.rows as usize);
+        let (column, row) = (
+            cell % coarser.columns as usize,
+            cell / coarser.columns as usize,
+        );
+        (2 * row..(2 * row + 2).min(rows)).flat_map(move |row| {
+            (2 * column..(2 * column + 2).min(columns)).map(move |column| row * columns + column)
         })
     }
 
-    fn rows_of(&self, piece: &Piece) -> RangeInclusive<usize> {
-        let [low, high] = piece.bounds();
-        self.cells(low.y, high.y, 1)
+    /// Its lowest and highest (u, v).
+    pub(crate) fn bounds(&self) -> [DVec2; 2] {
+        let size = DVec2::new(self.columns.into(), self.rows.into()) / self.per_unit;
+        [self.origin, self.origin + size]
     }
 
-    /// The columns a piece crosses in one row: where its chord, widened by its sagitta, crosses the row.
-    fn columns_of(&self, piece: &Piece, row: usize) -> RangeInclusive<usize> {
-        let [low, high] = piece.bounds();
-        let (start, chord) = (piece.control[0], piece.chord());
-        let sagitta = piece.sagitta();
-        let bottom = self.origin.y + row as f64 / self.per_unit.y - sagitta;
-        let top = self.origin.y + (row + 1) as f64 / self.per_unit.y + sagitta;
+    /// How many cells a box touches.
+    pub(crate) fn count_touched(&self, low: DVec2, high: DVec2) -> u32 {
+        let length = |range: &RangeInclusive<u32>| range.end() - range.start() + 1;
+        self.touched(low, high).map_or(0, |(columns, rows)| {
+            length(&columns).saturating_mul(length(&rows))
+        })
+    }
+
+    /// One of its cells.
+    pub(crate) fn cell(&self, number: usize) -> Self {
+        let (column, row) = (
+            number % self.columns as usize,
+            number / self.columns as usize,
+        );
+        Self {
+            origin: self.origin + DVec2::new(column as f64, row as f64) / self.per_unit,
+            columns: 1,
+            rows: 1,
+            ..*self
+        }
+    }
+
+    /// Each cell divided `side` by `side`.
+    fn parted(&self, side: u32) -> Self {
+        Self {
+            per_unit: self.per_unit * f64::from(side),
+            columns: self.columns * side,
+            rows: self.rows * side,
+            ..*self
+        }
+    }
+
+    /// Cell and piece numbers of all pieces, cell by cell.
+    fn pairs(&self, curves: Curves<'_>) -> Vec<u64> {
+        let numbers = 0..number(curves.pieces.len());
+        let mut pairs: Vec<u64> = numbers
+            .into_par_iter()
+            .fold(Vec::new, |mut pairs, piece| {
+                let control = curves.control(piece as usize);
+                self.for_each_cell(&control, |cell| {
+                    pairs.push(u64::from(cell) << 32 | u64::from(piece));
+                });
+                pairs
+            })
+            .reduce(Vec::new, |mut a, mut b| {
+                a.append(&mut b);
+                a
+            });
+        pairs.par_sort_unstable();
+        pairs
+    }
+
+    /// Calls `visit` with the number of each cell that a curve may cross.
+    fn for_each_cell(&self, control: &[DVec2; 4], mut visit: impl FnMut(u32)) {
+        let [low, high] = bounds(control);
+        let Some((columns, rows)) = self.touched(low, high) else {
+            return;
+        };
+        if rows.start() == rows.end() || columns.start() == columns.end() {
+            for row in rows {
+                columns
+                    .clone()
+                    .for_each(|column| visit(row * self.columns + column));
+            }
+            return;
+        }
+        let sagitta = sagitta(control);
+        for row in rows {
+            for column in self.columns_of(control, sagitta, row) {
+                visit(row * self.columns + column);
+            }
+        }
+    }
+
+    /// The columns a curve crosses in one row: where its chord, widened by its sagitta, crosses the row.
+    fn columns_of(&self, control: &[DVec2; 4], sagitta: f64, row: u32) -> RangeInclusive<u32> {
+        let [low, high] = bounds(control);
+        let (start, chord) = (control[0], control[3] - control[0]);
+        let bottom = self.origin.y + f64::from(row) / self.per_unit.y - sagitta;
+        let top = self.origin.y + f64::from(row + 1) / self.per_unit.y + sagitta;
         let (mut from, mut to) = (low.x, high.x);
         if chord.y.abs() > 1e-12 * chord.x.abs() {
             let at = |v: f64| ((v - start.y) / chord.y).clamp(0.0, 1.0);
@@ -146,8 +358,22 @@ impl Grid {
         self.cells(from, to, 0)
     }
 
+    /// Columns and rows that a box touches, if any.
+    pub(crate) fn touched(
+        &self,
+        low: DVec2,
+        high: DVec2,
+    ) -> Option<(RangeInclusive<u32>, RangeInclusive<u32>)> {
+        let end = self.origin + DVec2::new(self.columns.into(), self.rows.into()) / self.per_unit;
+        // A hair of slack again; false for NaN and for a grid of nothing.
+        let slack = 1e-9 / self.per_unit;
+        let touches = low.cmple(end + slack).all() && high.cmpge(self.origin - slack).all();
+        (touches && self.columns > 0)
+            .then(|| (self.cells(low.x, high.x, 0), self.cells(low.y, high.y, 1)))
+    }
+
     /// The cells from `low` to `high` along an axis (0 = columns), clamped to the grid.
-    fn cells(&self, low: f64, high: f64, axis: usize) -> RangeInclusive<usize> {
+    fn cells(&self, low: f64, high: f64, axis: usize) -> RangeInclusive<u32> {
         let count = [self.columns, self.rows][axis];
         let cell =
             |at: f64| cell_number((at - self.origin[axis]) * self.per_unit[axis]).min(count - 1);
@@ -155,47 +381,68 @@ impl Grid {
     }
 }
 
+fn number(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the lower half is meant")]
+fn low_half(pair: u64) -> u32 {
+    pair as u32
+}
+
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "the cast saturates: below the grid is cell 0"
 )]
-fn cell_number(at: f64) -> usize {
-    at as usize
+fn cell_number(at: f64) -> u32 {
+    at as u32
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::pattern::Path;
-    use crate::pattern::pieces::pieces as cut;
+    use crate::pattern::closest::bezier;
+    use crate::pattern::pieces::Chains;
     use rand::rngs::StdRng;
     use rand::{Rng, SeedableRng};
 
-    /// Every piece near a box is reported, and once only.
+    /// Every piece near a box is reported, also where pieces crowd.
     #[test]
-    fn query_finds_each_piece_once() {
-        let mut rng = StdRng::seed_from_u64(7);
-        let mut pieces = Vec::new();
-        for scratch in 0..300 {
-            let mut point = || [rng.random::<f64>() * 2.0, rng.random::<f64>()];
-            let points = [point(), point(), point(), point()];
-            let curves = Path::CubicBezier(&points).curves(DVec2::ONE).unwrap();
-            pieces.extend(cut(&curves, DVec2::ONE, scratch).0);
-        }
-        let grid = Grid::new(&pieces);
-        for _ in 0..300 {
-            let low = DVec2::new(rng.random::<f64>() * 2.2 - 0.1, rng.random::<f64>());
-            let high = low + DVec2::new(rng.random(), rng.random()) * 0.1;
-            let mut found = vec![0; pieces.len()];
-            grid.query(&pieces, low, high, |piece| found[piece as usize] += 1);
-            for (piece, &times) in pieces.iter().zip(&found) {
-                assert!(times <= 1, "reported {times} times");
-                let inside = (0..=100).any(|i| {
-                    let p = super::super::closest::bezier(&piece.control, f64::from(i) / 100.0);
-                    p.cmpge(low).all() && p.cmple(high).all()
+    fn query_finds_each_piece() {
+        for crowd in [1.0, 0.003] {
+            let mut rng = StdRng::seed_from_u64(7);
+            let mut chains = Chains::default();
+            for scratch in 0..300 {
+                let scale = if scratch % 10 == 0 { 1.0 } else { crowd };
+                let mut point = || {
+                    [
+                        rng.random::<f64>() * 2.0 * scale,
+                        rng.random::<f64>() * scale,
+                    ]
+                };
+                let points = [point(), point(), point(), point()];
+                let curves = Path::CubicBezier(&points).curves(DVec2::ONE).unwrap();
+                chains.append(&Chains::of_path(&curves, DVec2::ONE), scratch);
+            }
+            let curves = chains.curves();
+            let (grid, _) = Grid::new(curves);
+            for _ in 0..60 {
+                let low = DVec2::new(rng.random::<f64>() * 2.2 - 0.1, rng.random::<f64>()) * crowd;
+                let high = low + DVec2::new(rng.random(), rng.random()) * 0.1 * crowd;
+                let mut found = vec![false; chains.pieces.len()];
+                let _ = grid.query(low, high, |piece| {
+                    found[piece as usize] = true;
+                    ControlFlow::Continue(())
                 });
-                assert!(times == 1 || !inside, "lost a piece");
+                for (number, found) in found.iter().enumerate() {
+                    let inside = (0..=100).any(|i| {
+                        let p = bezier(&curves.control(number), f64::from(i) / 100.0);
+                        p.cmpge(low).all() && p.cmple(high).all()
+                    });
+                    assert!(*found || !inside, "lost piece {number}");
+                }
             }
         }
     }

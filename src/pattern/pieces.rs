@@ -1,147 +1,229 @@
-//! A path cut into the short pieces that a pattern holds.
+//! The pieces that paths are cut into, and how a pattern holds them: control points and 12 bytes a piece.
 
-use super::path::{Curve, arc_length, scaled};
+use super::closest::{length_share, speed};
+use super::path::{Curve, scaled};
 use glam::DVec2;
-use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Point};
+use kurbo::{CubicBez, ParamCurve, Point};
 
-/// A piece of a path that turns by no more than [`MOST_TURN_RAD`].
-#[derive(Clone, Copy, Debug)]
+/// A piece turns by no more than this, so that it has one nearest point and a tight box.
+const MOST_TURN_RAD: f64 = 0.5;
+
+/// Arc length within a piece is interpolated; it strays from the true one by at most this share of the piece.
+const LENGTH_ACCURACY: f64 = 5e-5;
+
+/// A path's curve is cut into at most 2 to the power of this.
+const MOST_HALVINGS: u32 = 9;
+
+/// A straight line: two control points, not four.
+const LINE: u32 = 1 << 31;
+/// Starts where the piece before it ends (the first piece of a closed path: where the last one ends).
+const JOINED: u32 = 1 << 30;
+
+/// A piece of a path: a cubic Bézier curve in texture space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub(crate) struct Piece {
-    /// Control points of a cubic Bézier curve, (u, v).
-    pub control: [DVec2; 4],
-    /// Share of the path's arc length at its start and end.
-    pub at: [f64; 2],
-    /// Tangents, (u, v), across which it is parted from its neighbours: its own at a smooth joint, the
-    /// mean of both at a corner.
-    pub parting: [DVec2; 2],
+    /// Number of its first control point, and the two flags.
+    place: u32,
     pub scratch: u32,
-    /// Its cross-section differs from the piece's before it.
-    pub changed: bool,
+    /// Share of the path's arc length at its end.
+    pub end_at: f32,
 }
 
-/// The most that one piece of a curve turns.
-const MOST_TURN_RAD: f64 = 0.06;
+/// Pieces and their control points, (u, v); a joined piece shares its first point with the piece before it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Chains {
+    pub points: Vec<DVec2>,
+    pub pieces: Vec<Piece>,
+}
 
-/// The pieces of a path's curves, and its length in scene units. `units_per_uv` scales texture space for arc
-/// length and for parting tangents.
-pub(crate) fn pieces(curves: &[Curve], units_per_uv: DVec2, scratch: u32) -> (Vec<Piece>, f64) {
-    let whole: f64 = curves.iter().map(|curve| curve.length).sum();
-    let mut pieces: Vec<Piece> = Vec::with_capacity(curves.len());
-    let mut before = 0.0;
-    for curve in curves {
-        let bezier = scaled(&curve.control, units_per_uv);
-        let count = pieces_needed(&bezier);
-        let mut start = before;
-        for i in 0..count {
-            let part = |i: usize| i as f64 / count as f64;
-            let sub = bezier.subsegment(part(i)..part(i + 1));
-            let end = if i + 1 == count {
-                before + curve.length
+/// Pieces to read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Curves<'p> {
+    pub points: &'p [DVec2],
+    pub pieces: &'p [Piece],
+}
+
+impl Chains {
+    /// One path's pieces. `units_per_uv` scales texture space for turning and arc length.
+    pub(crate) fn of_path(curves: &[Curve], units_per_uv: DVec2) -> Self {
+        let whole: f64 = curves.iter().map(|curve| curve.length).sum();
+        let mut chains = Self::default();
+        let mut before = 0.0;
+        for curve in curves {
+            let [a, b, c, d] = curve.control;
+            if b == a.lerp(d, 1.0 / 3.0) && c == a.lerp(d, 2.0 / 3.0) {
+                chains.push(&[a, d], LINE, curve.joins, (before + curve.length) / whole);
             } else {
-                start + arc_length(&sub)
-            };
-            let at = [start / whole, end / whole];
-            pieces.push(piece(&sub, at, units_per_uv, scratch));
-            start = end;
+                chains.push_curve(curve, before, whole, units_per_uv);
+            }
+            before += curve.length;
         }
-        before += curve.length;
+        if let Some(last) = chains.pieces.last_mut() {
+            last.end_at = 1.0;
+        }
+        chains
     }
-    part_corners(&mut pieces, units_per_uv);
-    (pieces, whole)
+
+    fn push_curve(&mut self, curve: &Curve, before: f64, whole: f64, units_per_uv: DVec2) {
+        let fits = |&halvings: &u32| {
+            parts(&scaled(&curve.control, units_per_uv), halvings).all(|part| is_plain(&part))
+        };
+        let halvings = (0..MOST_HALVINGS).find(fits).unwrap_or(MOST_HALVINGS);
+        let mut at = before;
+        let one = scaled(&curve.control, DVec2::ONE);
+        for (i, part) in parts(&one, halvings).enumerate() {
+            let control = points_of(&part);
+            at += if halvings == 0 {
+                curve.length
+            } else {
+                length(&control.map(|p| p * units_per_uv))
+            };
+            self.push(&control, 0, i > 0 || curve.joins, at / whole);
+        }
+    }
+
+    fn push(&mut self, control: &[DVec2], flags: u32, joins: bool, end_at: f64) {
+        // The first piece of a closed path is joined to points that are yet to come.
+        let shares = joins && !self.points.is_empty();
+        let first = self.points.len() - usize::from(shares);
+        self.points.extend(&control[usize::from(shares)..]);
+        self.pieces.push(Piece {
+            place: u32::try_from(first).unwrap_or(0) | flags | if joins { JOINED } else { 0 },
+            scratch: 0,
+            end_at: crate::single(end_at),
+        });
+    }
+
+    /// Appends another path's pieces as scratch number `scratch`.
+    pub(crate) fn append(&mut self, path: &Self, scratch: u32) {
+        let shift = u32::try_from(self.points.len()).unwrap_or(0);
+        self.points.extend(&path.points);
+        self.pieces.extend(path.pieces.iter().map(|piece| Piece {
+            place: piece.place + shift,
+            scratch,
+            ..*piece
+        }));
+    }
+
+    pub(crate) fn curves(&self) -> Curves<'_> {
+        Curves {
+            points: &self.points,
+            pieces: &self.pieces,
+        }
+    }
 }
 
 impl Piece {
-    pub(crate) fn chord(&self) -> DVec2 {
-        self.control[3] - self.control[0]
-    }
+    /// Most control points that piece numbers can tell apart.
+    pub(crate) const MOST_POINTS: usize = (JOINED - 1) as usize;
 
-    /// How far its control points stray from its chord, in (u, v).
-    pub(crate) fn sagitta(&self) -> f64 {
-        let chord = self.chord().normalize_or_zero();
-        let stray = |p: DVec2| {
-            let offset = p - self.control[0];
-            (offset - chord * offset.dot(chord)).length()
-        };
-        stray(self.control[1]).max(stray(self.control[2]))
-    }
-
-    /// Lowest and highest (u, v) of its control points, which hold the curve.
-    pub(crate) fn bounds(&self) -> [DVec2; 2] {
-        let [a, b, c, d] = self.control;
-        [a.min(b).min(c).min(d), a.max(b).max(c).max(d)]
+    pub(crate) fn is_joined(&self) -> bool {
+        self.place & JOINED != 0
     }
 }
 
-/// Enough equal steps of the parameter for none to turn too much.
-fn pieces_needed(curve: &CubicBez) -> usize {
-    let enough = |&count: &usize| {
-        (0..count).all(|i| {
-            let part = |i: usize| i as f64 / count as f64;
-            turn_rad(&curve.subsegment(part(i)..part(i + 1))) <= MOST_TURN_RAD
-        })
+impl Curves<'_> {
+    /// Control points of a piece's cubic curve, (u, v).
+    pub(crate) fn control(&self, number: usize) -> [DVec2; 4] {
+        let place = self.pieces.get(number).map_or(0, |piece| piece.place);
+        let first = (place & !(LINE | JOINED)) as usize;
+        let point = |i: usize| self.points.get(first + i).copied().unwrap_or(DVec2::ZERO);
+        if place & LINE != 0 {
+            let (a, d) = (point(0), point(1));
+            [a, a.lerp(d, 1.0 / 3.0), a.lerp(d, 2.0 / 3.0), d]
+        } else {
+            [0, 1, 2, 3].map(point)
+        }
+    }
+
+    /// Shares of the path's arc length at a piece's start and end.
+    pub(crate) fn at(&self, number: usize) -> [f64; 2] {
+        let piece = self.pieces[number];
+        let before = number.checked_sub(1).map(|i| self.pieces[i]);
+        let start = before.filter(|before| before.scratch == piece.scratch);
+        [start.map_or(0.0, |before| before.end_at), piece.end_at].map(f64::from)
+    }
+
+    /// Lowest and highest (u, v) of a piece's control points, which hold the curve.
+    pub(crate) fn bounds(&self, number: usize) -> [DVec2; 2] {
+        bounds(&self.control(number))
+    }
+}
+
+/// Lowest and highest of these points.
+pub(crate) fn bounds([a, b, c, d]: &[DVec2; 4]) -> [DVec2; 2] {
+    [a.min(*b).min(*c).min(*d), a.max(*b).max(*c).max(*d)]
+}
+
+/// How far control points stray from the chord.
+pub(crate) fn sagitta(control: &[DVec2; 4]) -> f64 {
+    let chord = (control[3] - control[0]).normalize_or_zero();
+    let stray = |p: DVec2| {
+        let offset = p - control[0];
+        (offset - chord * offset.dot(chord)).length()
     };
-    (0..9)
-        .map(|power| 1 << power)
-        .find(enough)
-        .unwrap_or(1 << 9)
+    stray(control[1]).max(stray(control[2]))
+}
+
+/// Both halves of a curve (de Casteljau).
+pub(crate) fn halves([a, b, c, d]: [DVec2; 4]) -> [[DVec2; 4]; 2] {
+    let middle = |p: DVec2, q: DVec2| 0.5 * (p + q);
+    let (ab, bc, cd) = (middle(a, b), middle(b, c), middle(c, d));
+    let (abc, bcd) = (middle(ab, bc), middle(bc, cd));
+    let abcd = middle(abc, bcd);
+    [[a, ab, abc, abcd], [abcd, bcd, cd, d]]
+}
+
+/// A curve in 2 to the power of `halvings` parts, equal in its parameter.
+fn parts(curve: &CubicBez, halvings: u32) -> impl Iterator<Item = CubicBez> {
+    let (curve, count) = (*curve, 1_u32 << halvings);
+    let part = move |i: u32| f64::from(i) / f64::from(count);
+    (0..count).map(move |i| curve.subsegment(part(i)..part(i + 1)))
+}
+
+fn points_of(curve: &CubicBez) -> [DVec2; 4] {
+    let point = |p: Point| DVec2::new(p.x, p.y);
+    [curve.p0, curve.p1, curve.p2, curve.p3].map(point)
+}
+
+/// Whether a curve turns little, and interpolation knows its arc length.
+fn is_plain(curve: &CubicBez) -> bool {
+    let control = points_of(curve);
+    let whole = length(&control);
+    let [first, _] = halves(control);
+    let off = |share: f64, part: [DVec2; 4]| length_share(&control, share) - length(&part) / whole;
+    let strays = off(0.5, first).abs().max(off(0.25, halves(first)[0]).abs());
+    turn_rad(&control) <= MOST_TURN_RAD && (whole <= 0.0 || strays <= LENGTH_ACCURACY)
+}
+
+/// Arc length by Gauss and Legendre's rule of five points: 1e-6 and better for what a piece may be.
+fn length(control: &[DVec2; 4]) -> f64 {
+    const NODES: [(f64, f64); 5] = [
+        (0.046910077030668, 0.118463442528095),
+        (0.230765344947158, 0.239314335249683),
+        (0.5, 0.284444444444444),
+        (0.769234655052842, 0.239314335249683),
+        (0.953089922969332, 0.118463442528095),
+    ];
+    NODES.iter().map(|&(t, w)| w * speed(control, t)).sum()
 }
 
 /// How much the legs of the control polygon turn in all: no less than the curve does.
-fn turn_rad(curve: &CubicBez) -> f64 {
-    let legs = [
-        curve.p1 - curve.p0,
-        curve.p2 - curve.p1,
-        curve.p3 - curve.p2,
-    ];
-    let scale = legs.iter().map(|leg| leg.hypot()).fold(0.0, f64::max);
-    let mut legs = legs.into_iter().filter(|leg| leg.hypot() > 1e-9 * scale);
+fn turn_rad(control: &[DVec2; 4]) -> f64 {
+    let [a, b, c, d] = *control;
+    let legs = [b - a, c - b, d - c];
+    let scale = legs.iter().map(|leg| leg.length()).fold(0.0, f64::max);
+    let mut legs = legs.into_iter().filter(|leg| leg.length() > 1e-9 * scale);
     let Some(mut last) = legs.next() else {
         return 0.0;
     };
     let mut sum = 0.0;
     for leg in legs {
-        sum += last.cross(leg).atan2(last.dot(leg)).abs();
+        sum += last.angle_to(leg).abs();
         last = leg;
     }
     sum
-}
-
-fn piece(curve: &CubicBez, at: [f64; 2], scale: DVec2, scratch: u32) -> Piece {
-    let unscaled = |p: Point| DVec2::new(p.x, p.y) / scale;
-    let derivative = curve.deriv();
-    let tangent = |t: f64, inward: f64| {
-        // A control point on the curve's end leaves no derivative there; a little inside there is one.
-        let exact = derivative.eval(t).to_vec2();
-        let direction = if exact.hypot() > 1e-9 {
-            exact
-        } else {
-            derivative.eval(t + inward).to_vec2()
-        };
-        DVec2::new(direction.x, direction.y).normalize_or(DVec2::X)
-    };
-    Piece {
-        control: [curve.p0, curve.p1, curve.p2, curve.p3].map(unscaled),
-        at,
-        parting: [tangent(0.0, 1e-4), tangent(1.0, -1e-4)].map(|t| t / scale),
-        scratch,
-        changed: false,
-    }
-}
-
-/// Where two pieces meet at an angle, both end at the line that halves it.
-fn part_corners(pieces: &mut [Piece], scale: DVec2) {
-    for i in 1..pieces.len() {
-        let (a, b) = (
-            pieces[i - 1].parting[1] * scale,
-            pieces[i].parting[0] * scale,
-        );
-        // A path that turns back on itself has no such line: its pieces end square.
-        if a.dot(b) > -0.99 {
-            let halving = (a + b).normalize() / scale;
-            pieces[i - 1].parting[1] = halving;
-            pieces[i].parting[0] = halving;
-        }
-    }
 }
 
 #[cfg(test)]
@@ -149,21 +231,46 @@ mod tests {
     use super::*;
     use crate::pattern::Path;
 
-    /// A Bézier quarter circle: its arc length, its turn shared out, and shares that grow to 1.
+    /// A Bézier quarter circle: shares of arc length that grow to 1, in proportion to the angle.
     #[test]
     fn quarter_circle() {
         let k = 0.5522847498;
         let points = [[1.0, 0.0], [1.0, k], [k, 1.0], [0.0, 1.0]];
         let curves = Path::CubicBezier(&points).curves(DVec2::ONE).unwrap();
-        let (pieces, _) = pieces(&curves, DVec2::ONE, 0);
-        assert!(pieces.len() >= 11, "{} pieces", pieces.len());
-        for pair in pieces.windows(2) {
-            assert_eq!(pair[0].at[1], pair[1].at[0]);
-            assert!(
-                pair[0].parting[1].abs_diff_eq(pair[1].parting[0], 1e-9),
-                "kink"
-            );
+        let chains = Chains::of_path(&curves, DVec2::ONE);
+        let curves = chains.curves();
+        assert!(chains.pieces.len() >= 4, "{} pieces", chains.pieces.len());
+        for number in 0..chains.pieces.len() {
+            let ([_, to], control) = (curves.at(number), curves.control(number));
+            let angle = control[3].to_angle().rem_euclid(core::f64::consts::TAU);
+            let share = angle / core::f64::consts::FRAC_PI_2;
+            assert!((to - share).abs() < 3e-4, "{to} against {share}");
         }
-        assert_eq!(pieces[pieces.len() - 1].at[1], 1.0);
+        assert_eq!(chains.pieces[chains.pieces.len() - 1].end_at, 1.0);
+    }
+
+    /// However unevenly a curve's parameter runs, its pieces know their arc lengths to 1e-4 of the path.
+    #[test]
+    fn uneven_curves_know_their_lengths() {
+        let points = [[0.0, 0.0], [0.01, 0.0], [0.02, 0.0], [1.0, 0.4]];
+        let curves = Path::CubicBezier(&points).curves(DVec2::ONE).unwrap();
+        let chains = Chains::of_path(&curves, DVec2::ONE);
+        let curves = chains.curves();
+        let whole = brute(&points.map(DVec2::from), 1.0);
+        let mut before = 0.0;
+        for number in 0..chains.pieces.len() {
+            let ([from, to], control) = (curves.at(number), curves.control(number));
+            for t in [0.2, 0.5, 0.9] {
+                let ours = from + (to - from) * length_share(&control, t);
+                let truth = (before + brute(&control, t)) / whole;
+                assert!((ours - truth).abs() < 1e-4, "{ours} against {truth}");
+            }
+            before += brute(&control, 1.0);
+        }
+    }
+
+    fn brute(control: &[DVec2; 4], to: f64) -> f64 {
+        let at = |i: u32| super::super::closest::bezier(control, to * f64::from(i) / 1e4);
+        (0..10_000).map(|i| at(i).distance(at(i + 1))).sum()
     }
 }

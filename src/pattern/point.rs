@@ -166,6 +166,11 @@ impl Metric {
         DVec2::new(rows.x_axis.length(), rows.y_axis.length()) * mm
     }
 
+    /// A step in mm as one in (u, v).
+    pub(crate) fn to_uv(&self, mm: DVec2) -> DVec2 {
+        self.from_mm * mm
+    }
+
     /// From mm around the point to (u, v).
     pub(crate) fn place_uv(&self, mm: DVec2) -> DVec2 {
         self.uv + self.from_mm * mm

@@ -1,123 +1,414 @@
 //! Which scratches a pixel sees, and how each runs through its footprint.
 
-use super::closest::{length_share, nearest};
-use super::pieces::Piece;
+use super::Pattern;
+use super::closest::{length_share, nearest, tangent};
+use super::course::Course;
+use super::pieces::{Curves, bounds, halves};
 use super::point::Metric;
 use super::region::Region;
-use super::{Pattern, Track};
+use super::tracks::TrackRef;
+use arrayvec::ArrayVec;
+use core::ops::ControlFlow;
 use glam::DVec2;
 
-/// Pieces gathered before they are joined into runs. More are handled too, in several batches.
-const BATCH: usize = 64;
+/// Pieces that a footprint may touch for each to be looked at by itself.
+const MOST_CANDIDATES: usize = 2048;
 
-/// Neighbouring pieces that turn less than this in all are one run, with one frame: cos 2 degrees.
-const RUN_COS: f64 = 0.9994;
+/// Cells of the grid that a footprint may touch for its pieces to be looked for at all.
+const MOST_CELLS: u32 = 256;
+
+/// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
+/// this share of its half width or height.
+const MOST_CHANGE: f64 = 0.14;
+
+/// A piece is cut into at most 2 to the power of this many runs.
+const MOST_HALVINGS: u32 = 12;
+
+/// Pieces near a footprint, in the order in which they were scratched.
+pub(crate) type Candidates = ArrayVec<u32, MOST_CANDIDATES>;
 
 /// One scratch's way through a footprint. Lengths in mm, in the local frame around the footprint's centre.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit<'p> {
-    pub track: &'p Track,
+    pub track: TrackRef<'p>,
+    /// Where on the track its cross-section is.
+    pub place: f64,
+    pub scratch: u32,
     /// Share of the scratch's arc length at `origin`.
     pub at: f64,
     /// A point of the scratch's centre line.
     pub origin: DVec2,
     /// The centre line's unit direction of travel there.
     pub travel: DVec2,
-    /// The part of the footprint beside this run of the scratch.
+    /// Point and unit direction, forwards, of the lines across which this run begins and ends.
+    pub parting: [[DVec2; 2]; 2],
+    /// The part of the footprint beside this run of the scratch, and what of that it covers.
     pub region: Region,
+    pub cover: Option<Region>,
+    /// The share of its piece that later scratches leave.
+    pub visible: f32,
+}
+
+impl Hit<'_> {
+    /// To the right of travel.
+    pub(crate) fn across(&self) -> DVec2 {
+        DVec2::new(self.travel.y, -self.travel.x)
+    }
+
+    /// Where its cross-section begins and ends, mm across from the centre line.
+    pub(crate) fn ends_mm(&self) -> [f64; 2] {
+        self.track.ends(self.place).map(f64::from)
+    }
+
+    /// Point and inward direction of the four lines that bound what the run covers between two distances across.
+    pub(crate) fn borders(&self, [from, to]: [f64; 2]) -> [[DVec2; 2]; 4] {
+        let across = self.across();
+        let [[start, forwards], [end, onwards]] = self.parting;
+        [
+            [self.origin + across * from, across],
+            [self.origin + across * to, -across],
+            [start, forwards],
+            [end, -onwards],
+        ]
+    }
+
+    /// Whether one of two runs goes on where the other ends.
+    pub(crate) fn adjoins(&self, other: &Self) -> bool {
+        let [[start, _], [end, _]] = self.parting;
+        let [[other_start, _], [other_end, _]] = other.parting;
+        self.scratch == other.scratch && (start == other_end || end == other_start)
+    }
+
+    /// The part of a region that the run covers between two distances across.
+    pub(crate) fn covered(&self, across_mm: [f64; 2], region: Region) -> Option<Region> {
+        let borders = self.borders(across_mm).into_iter();
+        borders.fold(Some(region), |part, [origin, inward]| {
+            part?.clipped(origin, inward)
+        })
+    }
+}
+
+/// A footprint and how far around it scratches matter.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach<'a> {
+    pub metric: &'a Metric,
+    pub footprint: &'a Region,
+    pub reach_mm: f64,
+}
+
+impl Reach<'_> {
+    /// The footprint's box in (u, v).
+    pub(crate) fn footprint_uv(&self) -> [DVec2; 2] {
+        let corners = self.footprint.corners().iter();
+        hull(corners.map(|&corner| self.metric.place_uv(corner)))
+    }
+
+    /// The box in (u, v) of all within reach.
+    fn box_uv(&self) -> [DVec2; 2] {
+        let reach = self.metric.reach_uv(self.reach_mm);
+        let [low, high] = self.footprint_uv();
+        [low - reach, high + reach]
+    }
+
+    /// From (u, v) to mm.
+    pub(crate) fn place(&self, uv: DVec2) -> DVec2 {
+        self.metric.to_mm * (uv - self.metric.uv)
+    }
+}
+
+/// Whether a curve lies beside a box: for long oblique pieces their own box says little.
+fn misses(control: &[DVec2; 4], low: DVec2, high: DVec2) -> bool {
+    let [from, to] = bounds(control);
+    if !(from.cmple(high).all() && to.cmpge(low).all()) {
+        return true;
+    }
+    let chord = control[3] - control[0];
+    let beside = |p: DVec2| chord.perp_dot(p - control[0]);
+    let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+    let reach = chord.perp().abs().dot(half);
+    let (bend_a, bend_b) = (beside(control[1]), beside(control[2]));
+    let at = beside(middle);
+    at < bend_a.min(bend_b).min(0.0) - reach || at > bend_a.max(bend_b).max(0.0) + reach
+}
+
+fn hull(points: impl Iterator<Item = DVec2>) -> [DVec2; 2] {
+    let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    points.fold(empty, |[low, high], p| [low.min(p), high.max(p)])
 }
 
 impl Pattern {
-    /// Calls `visit` with each run of scratch that comes within `reach_mm` of the footprint.
-    pub(crate) fn query<'p>(
-        &'p self,
-        metric: &Metric,
-        footprint: &Region,
-        reach_mm: f64,
-        visit: &mut impl FnMut(Hit<'p>),
-    ) {
-        let reach = metric.reach_uv(reach_mm);
-        let corners = footprint
-            .corners()
-            .iter()
-            .map(|&corner| metric.place_uv(corner));
-        let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        let (low, high) = corners.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
-        let mut batch = [0; BATCH];
-        let mut count = 0;
-        self.grid
-            .query(&self.pieces, low - reach, high + reach, |piece| {
-                if count == BATCH {
-                    self.for_each_run(&mut batch, metric, footprint, visit);
-                    count = 0;
-                }
-                batch[count] = piece;
-                count += 1;
-            });
-        self.for_each_run(&mut batch[..count], metric, footprint, visit);
+    /// The pieces near a footprint; false if they are too many to be looked at one by one.
+    pub(crate) fn candidates(&self, reach: &Reach<'_>, found: &mut Candidates) -> bool {
+        let [low, high] = reach.box_uv();
+        let curves = self.curves();
+        if self.grid.raster.count_touched(low, high) > MOST_CELLS {
+            return false;
+        }
+        let flow = self.grid.query(low, high, |number| {
+            // A piece is listed wherever it runs: mostly the same one comes again at once.
+            if found.last() == Some(&number) || misses(&curves.control(number as usize), low, high)
+            {
+                return ControlFlow::Continue(());
+            }
+            match found.try_push(number) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(_) => ControlFlow::Break(()),
+            }
+        });
+        found.sort_unstable();
+        let mut last = None;
+        found.retain(|number| last.replace(*number) != Some(*number));
+        flow.is_continue()
     }
 
-    /// Joins neighbouring pieces of the same scratch where they run nearly straight.
-    fn for_each_run<'p>(
+    /// Calls `visit` with each run of scratch that comes within reach of the footprint.
+    pub(crate) fn for_each_run<'p>(
         &'p self,
-        numbers: &mut [u32],
-        metric: &Metric,
-        footprint: &Region,
+        candidates: &Candidates,
+        reach: &Reach<'_>,
         visit: &mut impl FnMut(Hit<'p>),
     ) {
-        numbers.sort_unstable();
-        let mut from = 0;
-        while from < numbers.len() {
-            let mut to = from + 1;
-            while to < numbers.len() && self.joins(numbers[from], numbers[to - 1], numbers[to]) {
-                to += 1;
-            }
-            let run = &self.pieces[numbers[from] as usize..=numbers[to - 1] as usize];
-            if let Some(hit) = self.hit(run, metric, footprint) {
-                visit(hit);
-            }
-            from = to;
+        let mm = DVec2::splat(reach.reach_mm);
+        let [low, high] = hull(reach.footprint.corners().iter().copied());
+        let mut walk = Walk {
+            pattern: self,
+            curves: self.curves(),
+            reach,
+            near: [low - mm, high + mm],
+            visit,
+        };
+        let mut pending: Option<Run<'p>> = None;
+        for &number in candidates {
+            let Some(part) = walk.part(number as usize) else {
+                continue;
+            };
+            let longer = pending.as_ref().and_then(|run| walk.joined(run, &part));
+            pending = match longer {
+                Some(run) => Some(run),
+                None => {
+                    pending.iter().for_each(|run| walk.emit(run));
+                    if walk.is_one_run(&part) {
+                        Some(Run::of(&part))
+                    } else {
+                        walk.divide(&part, MOST_HALVINGS);
+                        None
+                    }
+                }
+            };
+        }
+        pending.iter().for_each(|run| walk.emit(run));
+    }
+}
+
+/// A piece, or part of one, in mm.
+#[derive(Clone, Copy)]
+struct Part<'p> {
+    number: usize,
+    scratch: u32,
+    track: TrackRef<'p>,
+    course: Course<'p>,
+    control: [DVec2; 4],
+    /// Shares of the path's arc length at its ends.
+    at: [f64; 2],
+    /// Unit tangents across which it is parted from its neighbours: its own at a smooth joint, the mean
+    /// of both at a corner.
+    parting: [DVec2; 2],
+}
+
+/// Neighbouring parts that run nearly straight: one frame, one cross-section.
+struct Run<'p> {
+    first: Part<'p>,
+    last: Part<'p>,
+}
+
+impl<'p> Run<'p> {
+    fn of(part: &Part<'p>) -> Self {
+        Self {
+            first: *part,
+            last: *part,
+        }
+    }
+}
+
+impl Part<'_> {
+    fn chord(&self) -> DVec2 {
+        self.control[3] - self.control[0]
+    }
+
+    fn change(&self, from: f64) -> f64 {
+        self.course.change(&self.track, from, self.at[1])
+    }
+}
+
+/// Cuts pieces into runs, and gives each to `visit`.
+struct Walk<'a, 'p, V> {
+    pattern: &'p Pattern,
+    curves: Curves<'p>,
+    reach: &'a Reach<'a>,
+    /// The footprint's box and what is within reach of it, mm.
+    near: [DVec2; 2],
+    visit: &'a mut V,
+}
+
+impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
+    fn part(&self, number: usize) -> Option<Part<'p>> {
+        let piece = self.curves.pieces.get(number)?;
+        let (track, course) = self.pattern.strand(piece.scratch)?;
+        let control = self.control(number);
+        let [first, last] = self.pattern.pieces_of(piece.scratch);
+        let before = if number == first { last } else { number - 1 };
+        let next = if number == last { first } else { number + 1 };
+        let follows = |number: usize| {
+            self.curves
+                .pieces
+                .get(number)
+                .is_some_and(|p| p.is_joined())
+        };
+        let mut parting = [tangent(&control, 0.0), tangent(&control, 1.0)];
+        if follows(number) {
+            parting[0] =
+                halving(tangent(&self.control(before), 1.0), parting[0]).unwrap_or(parting[0]);
+        }
+        if follows(next) {
+            parting[1] =
+                halving(parting[1], tangent(&self.control(next), 0.0)).unwrap_or(parting[1]);
+        }
+        Some(Part {
+            number,
+            scratch: piece.scratch,
+            track,
+            course,
+            control,
+            at: self.curves.at(number),
+            parting,
+        })
+    }
+
+    fn control(&self, number: usize) -> [DVec2; 4] {
+        self.curves.control(number).map(|uv| self.reach.place(uv))
+    }
+
+    fn is_straight(&self, a: DVec2, b: DVec2) -> bool {
+        a.dot(b) >= self.pattern.run_cos * (a.length_squared() * b.length_squared()).sqrt()
+    }
+
+    /// Whether a part turns and changes so little that it has one frame and one cross-section.
+    fn is_one_run(&self, part: &Part<'p>) -> bool {
+        let [a, b, c, d] = part.control;
+        self.is_straight(b - a, d - a)
+            && self.is_straight(d - a, d - c)
+            && self.is_straight(b - a, d - c)
+            && part.change(part.at[0]) <= MOST_CHANGE
+    }
+
+    /// The run with a piece more, if it goes on nearly straight.
+    fn joined(&self, run: &Run<'p>, part: &Part<'p>) -> Option<Run<'p>> {
+        let (first, last) = (&run.first, &run.last);
+        let joins = part.number == last.number + 1
+            && part.scratch == first.scratch
+            && self.curves.pieces[part.number].is_joined()
+            && self.is_one_run(part)
+            && self.is_straight(first.chord(), part.chord())
+            && self.is_straight(first.parting[0], part.parting[1])
+            && part.change(first.at[0]) <= MOST_CHANGE;
+        joins.then_some(Run {
+            first: *first,
+            last: *part,
+        })
+    }
+
+    /// Halves a part until its parts are runs; those out of reach are left out.
+    fn divide(&mut self, part: &Part<'p>, halvings: u32) {
+        let [from, to] = bounds(&part.control);
+        if !(from.cmple(self.near[1]).all() && to.cmpge(self.near[0]).all()) {
+            return;
+        }
+        if halvings == 0 || self.is_one_run(part) {
+            return self.emit(&Run::of(part));
+        }
+        let [first, second] = halves(part.control);
+        let [from, to] = part.at;
+        let middle = from + (to - from) * length_share(&part.control, 0.5);
+        let parting = tangent(&first, 1.0);
+        let part_of = |control, at, parting| Part {
+            control,
+            at,
+            parting,
+            ..*part
+        };
+        self.divide(
+            &part_of(first, [from, middle], [part.parting[0], parting]),
+            halvings - 1,
+        );
+        self.divide(
+            &part_of(second, [middle, to], [parting, part.parting[1]]),
+            halvings - 1,
+        );
+    }
+
+    fn emit(&mut self, run: &Run<'p>) {
+        if let Some(hit) = self.hit(run) {
+            (self.visit)(hit);
         }
     }
 
-    fn joins(&self, first: u32, last: u32, next: u32) -> bool {
-        let [a, b] = [first, next].map(|number| &self.pieces[number as usize]);
-        let straight = |a: DVec2, b: DVec2| a.dot(b) > RUN_COS * (a.length() * b.length());
-        next == last + 1
-            && !b.changed
-            && a.scratch == b.scratch
-            && straight(a.chord(), b.chord())
-            && straight(a.parting[0], b.parting[1])
-    }
-
-    fn hit(&self, run: &[Piece], metric: &Metric, footprint: &Region) -> Option<Hit<'_>> {
-        let (first, last) = (&run[0], &run[run.len() - 1]);
-        let place = |uv: DVec2| metric.to_mm * (uv - metric.uv);
-        let direction = |uv: DVec2| (metric.to_mm * uv).normalize_or_zero();
-        let region = footprint
-            .clipped(place(first.control[0]), direction(first.parting[0]))?
-            .clipped(place(last.control[3]), -direction(last.parting[1]))?;
-        let track = &self.tracks[first.scratch as usize];
+    fn hit(&self, run: &Run<'p>) -> Option<Hit<'p>> {
+        let Run { first, last } = run;
+        let region = self
+            .reach
+            .footprint
+            .clipped(first.control[0], first.parting[0])?
+            .clipped(last.control[3], -last.parting[1])?;
         // The cross-section is taken in the middle of what is covered of the scratch, not of the footprint.
-        let near = nearest_on(run, place, region.centroid());
+        let near = self.nearest_on(run, region.centroid());
         let across = DVec2::new(near.travel.y, -near.travel.x);
-        let side = across * f64::from(track.extent.half_width_mm);
+        let side = across * f64::from(first.track.extent.half_width_mm);
         let covered = region
             .clipped(near.origin - side, across)
             .and_then(|half| half.clipped(near.origin + side, -across));
         let Near {
             at, origin, travel, ..
         } = match covered {
-            Some(covered) => nearest_on(run, place, covered.centroid()),
+            Some(covered) => self.nearest_on(run, covered.centroid()),
             None => near,
         };
-        Some(Hit {
-            track,
+        let mut hit = Hit {
+            track: first.track,
+            place: first.course.value(at),
+            scratch: first.scratch,
             at,
             origin,
             travel,
+            parting: [
+                [first.control[0], first.parting[0]],
+                [last.control[3], last.parting[1]],
+            ],
             region,
-        })
+            cover: None,
+            visible: self.pattern.visible_share(first.number),
+        };
+        hit.cover = hit.covered(hit.ends_mm(), region);
+        Some(hit)
+    }
+
+    fn nearest_on(&self, run: &Run<'p>, target: DVec2) -> Near {
+        let on = |control: &[DVec2; 4], [from, to]: [f64; 2]| {
+            let (t, origin, travel) = nearest(control, target);
+            Near {
+                distance: origin.distance_squared(target),
+                at: from + (to - from) * length_share(control, t),
+                origin,
+                travel,
+            }
+        };
+        let mut best = on(&run.first.control, run.first.at);
+        for number in run.first.number + 1..=run.last.number {
+            let other = on(&self.control(number), self.curves.at(number));
+            if other.distance < best.distance {
+                best = other;
+            }
+        }
+        best
     }
 }
 
@@ -129,25 +420,8 @@ struct Near {
     travel: DVec2,
 }
 
-fn nearest_on(run: &[Piece], place: impl Fn(DVec2) -> DVec2, target: DVec2) -> Near {
-    let on_piece = |piece: &Piece| {
-        let control = piece.control.map(&place);
-        let (t, origin, travel) = nearest(&control, target);
-        let [from, to] = piece.at;
-        let at = from + (to - from) * length_share(&control, t);
-        Near {
-            distance: origin.distance_squared(target),
-            at,
-            origin,
-            travel,
-        }
-    };
-    let mut best = on_piece(&run[0]);
-    for piece in &run[1..] {
-        let other = on_piece(piece);
-        if other.distance < best.distance {
-            best = other;
-        }
-    }
-    best
+/// Where two pieces meet at an angle, both end at the line that halves it. A path that turns back on itself has
+/// no such line: its pieces end square.
+fn halving(a: DVec2, b: DVec2) -> Option<DVec2> {
+    (a.dot(b) > -0.99).then(|| (a + b).normalize_or(a))
 }

@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-/// A parallelogram cut by at most four lines has at most this many corners.
-const MOST_CORNERS: usize = 8;
+/// Corners of a region: each line that cuts a parallelogram adds one at most.
+pub(crate) const MOST_CORNERS: usize = 16;
 
 /// The thinnest footprint, mm. A nanometre is far below what a cross-section means, and keeps a point
 /// footprint a polygon like all others.
@@ -101,6 +101,42 @@ impl Region {
             }
         }
         (kept.count >= 3 && kept.area() > 0.0).then_some(kept)
+    }
+
+    /// The share of a segment that lies inside (Cyrus and Beck 1978).
+    pub(crate) fn share_of_segment(&self, [a, b]: [DVec2; 2]) -> f64 {
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for (p, q) in self.edges() {
+            let edge = q - p;
+            let (at_a, at_b) = (edge.perp_dot(a - p), edge.perp_dot(b - p));
+            match (at_a < 0.0, at_b < 0.0) {
+                (true, true) => return 0.0,
+                (true, false) => from = from.max(at_a / (at_a - at_b)),
+                (false, true) => to = to.min(at_a / (at_a - at_b)),
+                (false, false) => {}
+            }
+        }
+        (to - from).max(0.0)
+    }
+
+    /// The share of a parallelogram that lies inside.
+    pub(crate) fn share_of_cell(&self, corners: [DVec2; 4]) -> f64 {
+        let holds = |p: DVec2| self.edges().all(|(a, b)| (b - a).perp_dot(p - a) >= 0.0);
+        if corners.into_iter().all(holds) {
+            return 1.0;
+        }
+        let middle = 0.5 * (corners[0] + corners[2]);
+        let mut part = Some(*self);
+        for i in 0..4 {
+            let (a, b) = (corners[i], corners[(i + 1) % 4]);
+            let inward = (b - a).perp();
+            let inward = inward * inward.dot(middle - a).signum();
+            part = part.and_then(|part| part.clipped(a, inward));
+        }
+        let area = (corners[1] - corners[0])
+            .perp_dot(corners[3] - corners[0])
+            .abs();
+        part.map_or(0.0, |part| (part.area() / area).min(1.0))
     }
 
     fn push(&mut self, corner: DVec2) {

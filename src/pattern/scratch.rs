@@ -83,10 +83,6 @@ impl Key {
         }
     }
 
-    pub(crate) fn same_process(&self, other: &Self) -> bool {
-        Self { at: 0.0, ..*self } == Self { at: 0.0, ..*other }
-    }
-
     pub(crate) fn mix(&self, next: &Self, share: f64) -> Self {
         let lerp = |a: f64, b: f64| a + (b - a) * share;
         let (a, b) = (self.orientation, next.orientation);

@@ -1,25 +1,34 @@
 //! How much of a pixel's box filter falls between two lines along a scratch (section 3 of the model: the
 //! distribution T, here from any convex region).
 
-use crate::pattern::Region;
+use crate::pattern::{MOST_CORNERS, Region};
 use crate::single;
 use glam::DVec2;
 
-/// A convex polygon with at most eight corners projects onto at most seven pieces.
-const MOST_PIECES: usize = 7;
+/// Pieces of density that a shading point holds for all its scratches together: three for each that crosses the
+/// pixel, more where others cross it.
+pub(crate) const MOST_DENSITIES: usize = 88;
 
-/// The density of a pixel's filter across a scratch: piecewise linear in x, the place across the scratch
+/// The densities of all scratches of a shading point.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(crate) struct Densities {
+    pieces: [Piece; MOST_DENSITIES],
+    used: u32,
+}
+
+/// The density of a pixel's filter across one scratch: piecewise linear in x, the place across the scratch
 /// relative to its centre line, mm. The whole pixel weighs 1.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct Weight {
-    pieces: [Piece; MOST_PIECES],
+    first: u32,
     count: u32,
     /// What of the flat surface beside the scratch belongs to the pixel, mm.
     window: [f32; 2],
 }
 
-/// Between two neighbouring corners of the region. Its weight is kept as such, not as a density: a pixel far
+/// Between two neighbouring corners of a region. Its weight is kept as such, not as a density: a pixel far
 /// smaller than the scratch has places that single precision hardly tells apart, and must still weigh 1.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -33,32 +42,58 @@ struct Piece {
 
 impl Weight {
     pub(crate) const NONE: Self = Self {
+        first: 0,
+        count: 0,
+        window: [0.0; 2],
+    };
+}
+
+impl Densities {
+    pub(crate) const EMPTY: Self = Self {
         pieces: [Piece {
             from: 0.0,
             to: 0.0,
             weight: 0.0,
             skew: 0.0,
-        }; MOST_PIECES],
-        count: 0,
-        window: [0.0; 2],
+        }; MOST_DENSITIES],
+        used: 0,
     };
 
-    /// The region's density across a scratch that runs through `origin`; `across` is a unit vector.
-    pub(crate) fn of_region(
+    pub(crate) fn clear(&mut self) {
+        self.used = 0;
+    }
+
+    /// The density of these regions together across a scratch that runs through `origin`; `across` is a unit
+    /// vector. Nothing if there is no room.
+    pub(crate) fn add_regions(
+        &mut self,
+        regions: &[Region],
+        origin: DVec2,
+        across: DVec2,
+        pixel_area: f64,
+    ) -> Option<Weight> {
+        let first = self.used;
+        for region in regions {
+            self.add_region(region, origin, across, pixel_area)?;
+        }
+        Some(self.weight_from(first))
+    }
+
+    fn add_region(
+        &mut self,
         region: &Region,
         origin: DVec2,
         across: DVec2,
         pixel_area: f64,
-    ) -> Self {
+    ) -> Option<()> {
         let place = |p: DVec2| (p - origin).dot(across);
         let height = |p: DVec2| p.perp_dot(across);
-        let mut borders = [0.0; MOST_PIECES + 1];
+        let mut borders = [0.0; MOST_CORNERS];
         let count = region.corners().len();
         for (border, &corner) in borders.iter_mut().zip(region.corners()) {
             *border = place(corner);
         }
         borders[..count].sort_unstable_by(f64::total_cmp);
-        let mut weight = Self::NONE;
         for pair in borders[..count].windows(2).filter(|pair| pair[1] > pair[0]) {
             let (from, to) = (pair[0], pair[1]);
             // The chord of a convex polygon across one piece: between its two edges that span the piece.
@@ -73,70 +108,79 @@ impl Weight {
                     }
                 }
             }
-            weight.push(
-                from,
-                to,
-                [0, 1].map(|i| (high[i] - low[i]).max(0.0) / pixel_area),
-            );
+            let densities = [0, 1].map(|i| (high[i] - low[i]).max(0.0) / pixel_area);
+            self.push(from, to, densities)?;
         }
-        weight.window = weight.support();
-        weight
+        Some(())
     }
 
     /// The same density everywhere, for a pixel that covers `window` of the plane and all relief within it:
     /// the whole-pixel model of the paper's section 4.1.
-    pub(crate) fn uniform(window: [f32; 2]) -> Self {
+    pub(crate) fn add_uniform(&mut self, window: [f32; 2]) -> Option<Weight> {
         let density = 1.0 / f64::from(window[1] - window[0]);
-        let mut weight = Self::NONE;
-        weight.push(-1e6, 1e6, [density; 2]);
-        weight.window = window;
-        weight
+        let first = self.used;
+        self.push(-1e6, 1e6, [density; 2])?;
+        Some(Weight {
+            window,
+            ..self.weight_from(first)
+        })
     }
 
-    fn push(&mut self, from: f64, to: f64, [left, right]: [f64; 2]) {
+    fn push(&mut self, from: f64, to: f64, [left, right]: [f64; 2]) -> Option<()> {
         let mean = 0.5 * (left + right);
         if mean > 0.0 {
             let weight = mean * (to - from);
-            self.pieces[self.count as usize] = Piece {
+            *self.pieces.get_mut(self.used as usize)? = Piece {
                 from: single(from),
                 to: single(to),
                 weight: single(weight),
                 skew: single(right / mean - 1.0),
             };
-            self.count += 1;
+            self.used += 1;
         }
+        Some(())
     }
 
-    fn pieces(&self) -> &[Piece] {
-        &self.pieces[..self.count as usize]
+    /// What was added since there were `first` pieces.
+    fn weight_from(&self, first: u32) -> Weight {
+        let mut weight = Weight {
+            first,
+            count: self.used - first,
+            window: [0.0; 2],
+        };
+        weight.window = self.support(&weight);
+        weight
+    }
+
+    fn pieces(&self, weight: &Weight) -> &[Piece] {
+        let first = weight.first as usize;
+        &self.pieces[first..first + weight.count as usize]
     }
 
     /// Where the density is above 0, from and to.
-    fn support(&self) -> [f32; 2] {
-        match (self.pieces().first(), self.pieces().last()) {
-            (Some(first), Some(last)) => [first.from, last.to],
-            _ => [0.0; 2],
-        }
+    fn support(&self, weight: &Weight) -> [f32; 2] {
+        let pieces = self.pieces(weight).iter();
+        let all = pieces.map(|piece| [piece.from, piece.to]);
+        let all = all.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+        all.unwrap_or([0.0; 2])
     }
 
     /// The weight between x = `from` and x = `to`; 0 if they are swapped.
-    pub(crate) fn between(&self, from: f32, to: f32) -> f32 {
-        self.pieces()
-            .iter()
-            .map(|piece| piece.between(from, to))
-            .sum()
+    pub(crate) fn between(&self, weight: &Weight, from: f32, to: f32) -> f32 {
+        let pieces = self.pieces(weight).iter();
+        pieces.map(|piece| piece.between(from, to)).sum()
     }
 
     /// The weight of the flat surface that the scratch takes from the pixel between x = `from` and `to`.
-    pub(crate) fn taken(&self, [from, to]: [f32; 2]) -> f32 {
-        let inside = |x: f32| x.clamp(self.window[0], self.window[1]);
-        self.between(inside(from), inside(to))
+    pub(crate) fn taken(&self, weight: &Weight, [from, to]: [f32; 2]) -> f32 {
+        let inside = |x: f32| x.clamp(weight.window[0], weight.window[1]);
+        self.between(weight, inside(from), inside(to))
     }
 
     /// Whether any of `from..to` weighs anything.
-    pub(crate) fn touches(&self, [from, to]: [f32; 2]) -> bool {
-        let [first, last] = self.support();
-        self.count > 0 && from <= last && to >= first
+    pub(crate) fn touches(&self, weight: &Weight, [from, to]: [f32; 2]) -> bool {
+        let [first, last] = self.support(weight);
+        weight.count > 0 && from <= last && to >= first
     }
 }
 
@@ -179,8 +223,10 @@ mod tests {
             .unwrap();
         for degrees in [0.0_f64, 17.0, 90.0, 133.0] {
             let across = DVec2::from_angle(degrees.to_radians());
-            let weight = Weight::of_region(&part, DVec2::new(0.1, -0.2), across, pixel.area());
-            let all = weight.between(-10.0, 10.0);
+            let mut densities = Densities::EMPTY;
+            let origin = DVec2::new(0.1, -0.2);
+            let weight = densities.add_regions(&[part], origin, across, pixel.area());
+            let all = densities.between(&weight.unwrap(), -10.0, 10.0);
             let share = single(part.area() / pixel.area());
             assert!(
                 (all - share).abs() < 1e-6,
@@ -196,8 +242,10 @@ mod tests {
             let edge = |x: f64, y: f64| DVec2::new(x, y) * size;
             let pixel = Region::parallelogram(edge(1.0, 0.3), edge(-0.2, 0.9));
             let far = DVec2::new(-37.0, 5.0);
-            let weight = Weight::of_region(&pixel, far, DVec2::from_angle(0.3), pixel.area());
-            let all = weight.between(-100.0, 100.0);
+            let mut densities = Densities::EMPTY;
+            let across = DVec2::from_angle(0.3);
+            let weight = densities.add_regions(&[pixel], far, across, pixel.area());
+            let all = densities.between(&weight.unwrap(), -100.0, 100.0);
             assert!((all - 1.0).abs() < 1e-6, "{size}: {all}");
         }
     }
@@ -206,11 +254,10 @@ mod tests {
     #[test]
     fn box_is_linear() {
         let pixel = Region::parallelogram(DVec2::new(2.0, 0.0), DVec2::new(0.0, 5.0));
-        let weight = Weight::of_region(&pixel, DVec2::ZERO, DVec2::X, pixel.area());
-        assert!(
-            (weight.between(-1.0, 0.5) - 0.75).abs() < 1e-6,
-            "not linear"
-        );
-        assert_eq!(weight.between(0.5, -1.0), 0.0, "swapped");
+        let mut densities = Densities::EMPTY;
+        let weight = densities.add_regions(&[pixel], DVec2::ZERO, DVec2::X, pixel.area());
+        let between = |from, to| densities.between(&weight.unwrap(), from, to);
+        assert!((between(-1.0, 0.5) - 0.75).abs() < 1e-6, "not linear");
+        assert_eq!(between(0.5, -1.0), 0.0, "swapped");
     }
 }

@@ -1,15 +1,17 @@
 //! The zones of the scratches in one footprint, prepared for one view.
 
-use super::footprint::Weight;
-use super::visibility::{Across, overlap, sweep};
+use super::flocks::{Flock, Flocks};
+use super::footprint::{Densities, Weight};
+use super::visibility::{Across, Part, overlap, sweep};
 use crate::brdf::{Finish, Pair};
+use crate::pattern::{MOST_CLASS_VERTICES, Palette};
 use glam::{Vec2, Vec3};
 
-/// Scratches that a shading point holds one by one; what comes on top widens those it resembles.
+/// Scratches that a shading point holds one by one.
 pub(crate) const MOST_RELIEFS: usize = 16;
 
 /// Vertices that a shading point holds for all its scratches together.
-pub(crate) const MOST_SLOTS: usize = 144;
+pub(crate) const MOST_SLOTS: usize = 200;
 
 /// Different finishes that a shading point holds. Zones of further ones reflect like the last.
 pub(crate) const MOST_FINISHES: usize = 12;
@@ -24,10 +26,10 @@ pub(crate) const LONGEST_SHADOW: f32 = 20.0;
 pub(crate) struct Zones {
     x: [f32; MOST_SLOTS],
     z: [f32; MOST_SLOTS],
+    /// Across component of the facet's normal; the upward one follows.
     normal_x: [f32; MOST_SLOTS],
-    normal_z: [f32; MOST_SLOTS],
-    /// The part that the viewer sees, from and to.
-    seen: [[f32; 2]; MOST_SLOTS],
+    /// The part that the viewer sees, from and to, in 65535ths.
+    seen: [[u16; 2]; MOST_SLOTS],
     /// How much that part weighs in the pixel.
     weight: [f32; MOST_SLOTS],
     /// Which of `finishes` the facet has.
@@ -35,6 +37,7 @@ pub(crate) struct Zones {
     finishes: [Finish; MOST_FINISHES],
     finish_count: u32,
     used: u32,
+    pub densities: Densities,
 }
 
 /// One scratch in the footprint. Lengths in mm across the scratch, from its centre line.
@@ -45,10 +48,10 @@ pub(crate) struct Relief {
     pub across: Vec2,
     pub first: u32,
     pub vertices: u32,
-    /// The finish of its deepest zones.
-    pub finish: u8,
-    /// How many scratches like this one it stands for, and how far crowding thins them.
+    /// How far crowding thins it.
     pub gain: f32,
+    /// The share of the pixel that the viewer sees it in, before thinning.
+    shown: f32,
     /// What of the pixel's plane the viewer sees through this scratch, from and to.
     seen_flat: [f32; 2],
     weight: Weight,
@@ -60,19 +63,20 @@ impl Zones {
             x: [0.0; MOST_SLOTS],
             z: [0.0; MOST_SLOTS],
             normal_x: [0.0; MOST_SLOTS],
-            normal_z: [0.0; MOST_SLOTS],
-            seen: [[0.0; 2]; MOST_SLOTS],
+            seen: [[0; 2]; MOST_SLOTS],
             weight: [0.0; MOST_SLOTS],
             finish: [0; MOST_SLOTS],
             finishes: [Finish::BLACK; MOST_FINISHES],
             finish_count: 0,
             used: 0,
+            densities: Densities::EMPTY,
         }
     }
 
     pub(crate) fn clear(&mut self) {
         self.used = 0;
         self.finish_count = 0;
+        self.densities.clear();
     }
 
     /// The number of a finish among those that this point holds.
@@ -116,29 +120,29 @@ impl Zones {
             z: view.z,
         };
         let seen = &mut self.seen[slots];
-        let horizon = sweep(xs, zs, v, |k, part| seen[k] = part);
+        let horizon = sweep(xs, zs, v, |k, part| seen[k] = packed(part));
         let ends = [xs[0], xs[vertices - 1]];
         let seen_flat = v.flat_ends(horizon, ends);
         // A shadow may fall into the pixel from a scratch beside it.
         let shadow = LONGEST_SHADOW * zs.iter().copied().fold(0.0, f32::max);
-        if !weight.touches([seen_flat[0] - shadow, seen_flat[1] + shadow]) {
+        let shaded = [seen_flat[0] - shadow, seen_flat[1] + shadow];
+        if !self.densities.touches(&weight, shaded) {
             return None;
         }
         let relief = Relief {
             across,
             first: first_slot,
             vertices: u32::try_from(vertices).unwrap_or(0),
-            finish: self.finish[first + vertices / 2],
             gain: 1.0,
+            shown: self.densities.taken(&weight, seen_flat),
             seen_flat,
             weight,
         };
         for k in first..first + vertices - 1 {
             let run = Vec2::new(self.x[k + 1] - self.x[k], self.z[k + 1] - self.z[k]);
             // Scaled up first: facets of nanometres would underflow when squared.
-            let unit = (run * 1e6).normalize_or(Vec2::X);
-            (self.normal_x[k], self.normal_z[k]) = (-unit.y, unit.x);
-            self.weight[k] = self.part_weight(&relief, k, self.seen[k], v.x / v.z);
+            self.normal_x[k] = -(run * 1e6).normalize_or(Vec2::X).y;
+            self.weight[k] = self.part_weight(&relief, k, unpacked(self.seen[k]), v.x / v.z);
         }
         self.used = self.used.max(first_slot + relief.vertices);
         Some(relief)
@@ -154,7 +158,7 @@ impl Zones {
             let z = self.z[k] + share * (self.z[k + 1] - self.z[k]);
             x - z * view_slope
         });
-        relief.weight.between(from, to).max(0.0)
+        self.densities.between(&relief.weight, from, to).max(0.0)
     }
 
     /// Adds what one relief reflects to each finish's lobe (base BRDF's lobe times cosine, weighed), and
@@ -173,7 +177,7 @@ impl Zones {
             if self.weight[slot] == 0.0 {
                 return;
             }
-            let seen = self.seen[slot];
+            let seen = unpacked(self.seen[slot]);
             let both = overlap(seen, lit);
             let weight = if both == seen {
                 self.weight[slot]
@@ -181,28 +185,115 @@ impl Zones {
                 self.part_weight(relief, slot, both, view_slope)
             };
             if weight > 0.0 {
-                let normal = Vec3::new(self.normal_x[slot], 0.0, self.normal_z[slot]);
+                let normal = self.normal(slot);
                 let finish = self.finish[slot] as usize;
                 let lobe = self.finishes[finish].lobe_cos(normal, &pair);
                 lobes[finish] += relief.gain * weight * lobe;
             }
         });
         let lit_flat = light.flat_ends(horizon, relief.seen_flat);
-        relief.gain * relief.weight.taken(lit_flat)
+        relief.gain * self.densities.taken(&relief.weight, lit_flat)
     }
 
-    /// What all reliefs reflect (RGB, BRDF times cosine, weighed), and the share of the pixel's flat surface
-    /// that they take from this light.
-    pub(crate) fn reflect_all(&self, reliefs: &[Relief], pair: &Pair) -> (Vec3, f32) {
+    /// What all reliefs and flocks reflect (RGB, BRDF times cosine, weighed), and the share of the pixel's flat
+    /// surface that they take from this light.
+    pub(crate) fn reflect_all(
+        &self,
+        reliefs: &[Relief],
+        flocks: &Flocks,
+        pair: &Pair,
+    ) -> (Vec3, f32) {
         let mut lobes = [0.0; MOST_FINISHES];
-        let taken = reliefs
-            .iter()
-            .map(|relief| self.reflect(relief, pair, &mut lobes))
-            .sum();
+        let mut taken = 0.0;
+        for relief in reliefs {
+            taken += self.reflect(relief, pair, &mut lobes);
+        }
+        for flock in flocks.iter() {
+            taken += self.reflect_flock(&flock, pair, &mut lobes);
+        }
         let finishes = &self.finishes[..self.finish_count as usize];
         let colour = |(finish, lobe): (&Finish, &f32)| finish.shared(pair) * *lobe;
         (finishes.iter().zip(&lobes).map(colour).sum(), taken)
     }
+
+    /// Keeps a class's cross-section for flocks: its first slot and how many it takes, if there is room.
+    pub(crate) fn keep_class(&mut self, palette: &Palette, class: usize) -> Option<[u32; 2]> {
+        let points = palette.points(class);
+        let first = self.free(points.len())?;
+        for (slot, point) in (first as usize..).zip(points) {
+            let finish = palette.finishes.get(point.finish as usize)?;
+            (self.x[slot], self.z[slot]) = (point.x, point.z);
+            self.finish[slot] = self.finish(finish);
+        }
+        for (slot, pair) in (first as usize..).zip(points.windows(2)) {
+            let run = Vec2::new(pair[1].x - pair[0].x, pair[1].z - pair[0].z);
+            self.normal_x[slot] = -run.normalize_or(Vec2::X).y;
+        }
+        let count = u32::try_from(points.len()).unwrap_or(0);
+        self.used = first + count;
+        Some([first, count])
+    }
+
+    /// How wide a flock's cross-section, one unit wide itself, looks to a viewer.
+    pub(crate) fn seen_width(&self, slots: [u32; 2], across: Vec2, view: Vec3) -> f32 {
+        let (xs, zs) = self.class(slots);
+        let view = Across {
+            x: view.truncate().dot(across),
+            z: view.z,
+        };
+        let horizon = sweep(xs, zs, view, |_, _| {});
+        let [from, to] = view.flat_ends(horizon, [-0.5, 0.5]);
+        to - from
+    }
+
+    /// As [`Self::reflect`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.
+    fn reflect_flock(&self, flock: &Flock, pair: &Pair, lobes: &mut [f32; MOST_FINISHES]) -> f32 {
+        let pair = pair.turned(flock.across);
+        let (xs, zs) = self.class(flock.slots);
+        let [view, light] = [pair.view, pair.light].map(|w| Across { x: w.x, z: w.z });
+        let view_slope = pair.view.x / pair.view.z;
+        let mut seen = [[0.0; 2]; MOST_CLASS_VERTICES];
+        let horizon = sweep(xs, zs, view, |k, part| seen[k] = part);
+        let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
+        let horizon = sweep(xs, zs, light, |k, lit| {
+            let [from, to] = overlap(seen[k], lit);
+            if from < to {
+                let slot = flock.slots[0] as usize + k;
+                let run = xs[k + 1] - xs[k] - (zs[k + 1] - zs[k]) * view_slope;
+                let normal = self.normal(slot);
+                let finish = self.finish[slot] as usize;
+                let lobe = self.finishes[finish].lobe_cos(normal, &pair);
+                lobes[finish] += flock.share * (to - from) * run.max(0.0) * lobe;
+            }
+        });
+        let [from, to] = light.flat_ends(horizon, seen_flat);
+        flock.share * (to - from)
+    }
+
+    /// A facet's normal, in the frame of its scratch.
+    fn normal(&self, slot: usize) -> Vec3 {
+        let x = self.normal_x[slot];
+        Vec3::new(x, 0.0, (1.0 - x * x).max(0.0).sqrt())
+    }
+
+    /// x and z of a class.
+    fn class(&self, [first, count]: [u32; 2]) -> (&[f32], &[f32]) {
+        let slots = first as usize..(first + count) as usize;
+        (&self.x[slots.clone()], &self.z[slots])
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the cast saturates"
+)]
+fn packed(part: Part) -> [u16; 2] {
+    part.map(|share| (share * 65535.0 + 0.5) as u16)
+}
+
+fn unpacked(part: [u16; 2]) -> Part {
+    part.map(|share| f32::from(share) / 65535.0)
 }
 
 impl Relief {
@@ -210,24 +301,14 @@ impl Relief {
         across: Vec2::X,
         first: 0,
         vertices: 0,
-        finish: 0,
         gain: 0.0,
+        shown: 0.0,
         seen_flat: [0.0; 2],
         weight: Weight::NONE,
     };
 
     /// The share of the pixel that the viewer sees this relief in.
     pub(crate) fn coverage(&self) -> f32 {
-        self.gain * self.weight.taken(self.seen_flat)
-    }
-
-    /// How well this relief can stand for a scratch across `across` with finish number `finish`: 0 to 1, never 0.
-    pub(crate) fn likeness(&self, across: Vec2, finish: u8) -> f32 {
-        let alignment = self.across.dot(across).abs().powi(8).max(1e-3);
-        if self.finish == finish {
-            alignment
-        } else {
-            1e-3 * alignment
-        }
+        self.gain * self.shown
     }
 }

@@ -1,12 +1,17 @@
 //! One shading point seen from one direction: everything that does not depend on the light.
 
-use super::footprint::Weight;
-use super::layers::Layered;
-use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, Relief, Zones};
+use super::crossings::uncut;
+use super::flocks::{Flock, Flocks, MOST_FLOCKS};
+use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, MOST_SLOTS, Relief, Zones};
 use crate::brdf::{Brdf, Finish, Pair};
 use crate::error::{Error, Result, all_finite, in_range};
 use crate::formation::MOST_LAYERS;
-use crate::pattern::{Finishes, Frame, Hit, MOST_VERTICES, Metric, Pattern, Region, SurfacePoint};
+use crate::pattern::{
+    Candidates, Crowd, Frame, Hit, Layered, MOST_VERTICES, Metric, Pattern, Reach, Region,
+    SurfacePoint,
+};
+use crate::single;
+use arrayvec::ArrayVec;
 use glam::{DVec2, Vec2, Vec3};
 
 /// The shift of relief against the plane at a grazing view is followed to this many times its height.
@@ -15,6 +20,12 @@ const LONGEST_PARALLAX: f64 = 20.0;
 /// Weights that should add up to 1 do so within this; less flat surface than that is none, or it would shine
 /// through a pixel that lies within a scratch.
 const ROUNDING: f32 = 1e-6;
+
+/// Runs of scratch that are looked at one by one: more than are held, for later ones cut earlier ones away.
+const MOST_HITS: usize = 64;
+
+/// A run that is larger by this share than the first one of the crowd stands alone; in between it does in part.
+const FADE: f64 = 0.3;
 
 /// Points of a cross-section that is shaded by itself.
 const MOST_POINTS: usize = 100;
@@ -62,6 +73,7 @@ pub struct Shading {
     view: Vec3,
     surface: Finish,
     reliefs: [Relief; MOST_RELIEFS],
+    flocks: Flocks,
     zones: Zones,
 }
 
@@ -75,6 +87,7 @@ impl Default for Shading {
             view: Vec3::ZERO,
             surface: Finish::BLACK,
             reliefs: [Relief::NONE; MOST_RELIEFS],
+            flocks: Flocks::NONE,
             zones: Zones::empty(),
         }
     }
@@ -94,10 +107,22 @@ impl Shading {
         let (region, footprint) = metric.region(&point.footprint, scale);
         if self.view.z >= LEAST_COS {
             let pixel_area = region.area();
-            let reach = self.reach_mm(pattern);
-            pattern.query(&metric, &region, reach, &mut |hit| {
-                self.add(&hit, pixel_area);
-            });
+            let reach = Reach {
+                metric: &metric,
+                footprint: &region,
+                reach_mm: self.reach_mm(pattern),
+            };
+            let mut candidates = Candidates::new();
+            let complete = pattern.candidates(&reach, &mut candidates);
+            let mut crowd = None;
+            let few = complete && self.add_each(pattern, &candidates, &reach, &mut crowd);
+            let place = (&metric, pixel_area);
+            let held = crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, place));
+            if !(few && held) {
+                self.clear();
+                let crowd = pattern.crowd(&reach, complete.then_some(&candidates));
+                self.add_crowd(pattern, &crowd, place);
+            }
             self.share_out();
         }
         footprint
@@ -120,7 +145,8 @@ impl Shading {
             CrossFootprint::Whole { margin_mm } => {
                 in_range("margin_mm", f64::from(margin_mm), 0.0, 1e6)?;
                 let (first, last) = (vertices[0][0], vertices[vertices.len() - 1][0]);
-                Weight::uniform([first - margin_mm, last + margin_mm])
+                let window = [first - margin_mm, last + margin_mm];
+                self.zones.densities.add_uniform(window)
             }
             CrossFootprint::Box {
                 center_mm,
@@ -131,21 +157,25 @@ impl Shading {
                 in_range("extents_mm", b, 0.0, 1e6)?;
                 let region = Region::parallelogram(DVec2::new(a, 1.0), DVec2::new(b, -1.0));
                 let center_line = DVec2::new(-center_mm, 0.0);
-                Weight::of_region(&region, center_line, DVec2::X, region.area())
+                let densities = &mut self.zones.densities;
+                densities.add_regions(&[region], center_line, DVec2::X, region.area())
             }
         };
         let (mut xs, mut zs) = ([0.0; MOST_POINTS], [0.0; MOST_POINTS]);
         for ((x, z), vertex) in xs.iter_mut().zip(&mut zs).zip(vertices) {
             [*x, *z] = *vertex;
         }
-        if self.view.z >= LEAST_COS {
+        if let Some(weight) = weight.filter(|_| self.view.z >= LEAST_COS) {
             let points = (&xs[..vertices.len()], &zs[..vertices.len()]);
             let number = self.zones.finish(&finish);
             let numbers = core::iter::repeat(number);
             let prepared = self
                 .zones
                 .prepare(0, points, numbers, Vec2::X, weight, self.view);
-            self.keep(0, prepared);
+            if let Some(relief) = prepared {
+                self.reliefs[0] = relief;
+                self.relief_count = 1;
+            }
             self.share_out();
         }
         Ok(())
@@ -171,7 +201,7 @@ impl Shading {
         }
         let pair = Pair::new(self.view, light);
         let reliefs = &self.reliefs[..self.relief_count as usize];
-        let (mut sum, taken) = self.zones.reflect_all(reliefs, &pair);
+        let (mut sum, taken) = self.zones.reflect_all(reliefs, &self.flocks, &pair);
         let flat = if taken < 1.0 - ROUNDING {
             1.0 - taken
         } else {
@@ -185,17 +215,22 @@ impl Shading {
     }
 
     fn begin(&mut self, surface: Finish, view: [f32; 3]) -> Result<()> {
-        self.coverage = 0.0;
-        self.scratch_count = 0;
-        self.relief_count = 0;
+        self.clear();
         self.surface = surface;
-        self.zones.clear();
         self.view = direction(view).unwrap_or(Vec3::ZERO);
         if self.view == Vec3::ZERO {
             all_finite("view", &view)?;
             return Err(Error::number("view", 0.0, "a vector of any length above 0"));
         }
         Ok(())
+    }
+
+    fn clear(&mut self) {
+        self.coverage = 0.0;
+        self.scratch_count = 0;
+        self.relief_count = 0;
+        self.flocks.clear();
+        self.zones.clear();
     }
 
     /// How far from the footprint a scratch can matter: by its width, by parallax, by its shadow.
@@ -207,89 +242,135 @@ impl Shading {
             + f64::from(extent.height_mm) * (f64::from(LONGEST_SHADOW) + parallax)
     }
 
-    fn add(&mut self, hit: &Hit<'_>, pixel_area: f64) {
-        let across = DVec2::new(hit.travel.y, -hit.travel.x);
-        let weight = Weight::of_region(&hit.region, hit.origin, across, pixel_area);
+    /// Adds each run by itself, less what later ones cut away; the smallest ones to the crowd where there is no
+    /// room. False if there are too many to be looked at.
+    fn add_each(
+        &mut self,
+        pattern: &Pattern,
+        candidates: &Candidates,
+        reach: &Reach<'_>,
+        crowd: &mut Option<Crowd>,
+    ) -> bool {
+        let pixel_area = reach.footprint.area();
+        let mut hits: ArrayVec<Hit<'_>, MOST_HITS> = ArrayVec::new();
+        let mut all = true;
+        pattern.for_each_run(candidates, reach, &mut |hit| {
+            all &= hits.try_push(hit).is_ok()
+        });
+        if !all {
+            return false;
+        }
+        let mut runs: ArrayVec<(usize, f64), MOST_HITS> = ArrayVec::new();
+        runs.extend(
+            hits.iter()
+                .map(|hit| hit.cover.map_or(0.0, |cover| cover.area()))
+                .enumerate(),
+        );
+        runs.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let room = (MOST_SLOTS - pattern.palette.vertex_count()) / pattern.most_vertices.max(1);
+        let first_of_crowd = runs.get(room.min(MOST_RELIEFS)).map_or(0.0, |run| run.1);
+        for &(i, area) in &runs {
+            let hit = &hits[i];
+            // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
+            let alone = ((area / first_of_crowd - 1.0) / FADE).clamp(0.0, 1.0);
+            let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
+            let added = alone > 0.0 && self.add(&hits, i, single(alone), pixel_area).is_some();
+            let rest = if added { 1.0 - alone } else { 1.0 };
+            if rest > 0.0 && area > 0.0 {
+                let crowd = crowd.get_or_insert_with(Crowd::new);
+                pattern.add_run(crowd, hit, reach, rest * area * f64::from(hit.visible));
+            }
+        }
+        true
+    }
+
+    /// Adds what is left of run `i`, thinned by `gain`; nothing if there is no room.
+    fn add(&mut self, hits: &[Hit<'_>], i: usize, gain: f32, pixel_area: f64) -> Option<()> {
+        let hit = &hits[i];
+        if self.relief_count as usize == MOST_RELIEFS {
+            return None;
+        }
+        let across = hit.across();
         let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
-        let vertices = hit.track.vertex_count();
+        let vertices = hit.track.vertex_count;
         let (xs, zs) = (&mut xs[..vertices], &mut zs[..vertices]);
-        hit.track.sample(hit.at, xs, zs);
-        let Finishes { layers, bulk } = &hit.track.finishes;
-        let layered = Layered::cut(xs, zs, layers.iter().map(|(interface, _)| *interface));
+        hit.track.sample(hit.place, xs, zs);
+        let layers = hit.track.layers.iter();
+        let layered = Layered::cut(xs, zs, layers.map(|layer| layer.bottom_mm));
         let (xs, zs, layer) = layered.parts();
+        let first = self.zones.free(xs.len())?;
+        let left = uncut(hits, i, pixel_area)?;
+        let densities = &mut self.zones.densities;
+        let weight = densities.add_regions(&left, hit.origin, across, pixel_area)?;
         let mut numbers = [0; MOST_LAYERS + 1];
-        let finishes = layers.iter().map(|(_, finish)| finish).chain([bulk]);
-        for (number, finish) in numbers.iter_mut().zip(finishes) {
-            *number = self.zones.finish(finish);
+        for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
+            *number = self.zones.finish(&finish);
         }
         let number = layer.iter().map(|&layer| numbers[layer as usize]);
-        let across = across.as_vec2();
-        let more = weight.taken([xs[0], xs[xs.len() - 1]]);
+        let more = self
+            .zones
+            .densities
+            .taken(&weight, [xs[0], xs[xs.len() - 1]]);
         self.scratch_count += u32::from(more > 0.0);
-        match self.place(xs.len(), more) {
-            Some((index, first)) => {
-                let (points, view) = ((xs, zs), self.view);
-                let prepared = self
-                    .zones
-                    .prepare(first, points, number, across, weight, view);
-                self.keep(index, prepared);
-            }
-            None => self.widen(more, across, number.max().unwrap_or(0)),
+        let (points, across, view) = ((xs, zs), across.as_vec2(), self.view);
+        let prepared = self
+            .zones
+            .prepare(first, points, number, across, weight, view);
+        if let Some(mut relief) = prepared {
+            relief.gain = gain;
+            self.reliefs[self.relief_count as usize] = relief;
+            self.relief_count += 1;
         }
+        Some(())
     }
 
-    /// Where a cross-section that takes `more` of the pixel may go: its relief's number and its first slot. When
-    /// the point is full it takes the place of one that shows much less, which then counts with its like.
-    fn place(&mut self, vertices: usize, more: f32) -> Option<(usize, u32)> {
-        let count = self.relief_count as usize;
-        if let Some(first) = self.zones.free(vertices).filter(|_| count < MOST_RELIEFS) {
-            return Some((count, first));
+    /// Adds scratches by cross-section and direction; false if there is no room for one of the cross-sections.
+    fn add_crowd(
+        &mut self,
+        pattern: &Pattern,
+        crowd: &Crowd,
+        (metric, pixel_area): (&Metric, f64),
+    ) -> bool {
+        let fits = |coarser: &usize| crowd.flocks(*coarser).count() <= MOST_FLOCKS;
+        let coarser = [1, 2, 4, 8, 16].into_iter().find(fits).unwrap_or(32);
+        self.scratch_count += crowd.count;
+        let mut class = None;
+        for flock in crowd.flocks(coarser) {
+            let known = class.filter(|(class, _)| *class == flock.class);
+            let keep = || {
+                Some((
+                    flock.class,
+                    self.zones.keep_class(&pattern.palette, flock.class)?,
+                ))
+            };
+            class = known.or_else(keep);
+            let Some((_, slots)) = class else {
+                return false;
+            };
+            let travel = metric.to_mm * (flock.travel / pattern.units_per_uv);
+            let length = travel.length();
+            let across = DVec2::new(travel.y, -travel.x) / length;
+            let area_mm2 = flock.area_mm2 * length / pattern.mm_per_scene_unit;
+            self.flocks.push(&Flock {
+                across: across.as_vec2(),
+                slots,
+                share: single(area_mm2 / pixel_area),
+            });
         }
-        let fits = |relief: &&mut Relief| relief.vertices as usize >= vertices;
-        let smallest = self.reliefs[..count]
-            .iter_mut()
-            .enumerate()
-            .filter(|(_, relief)| fits(relief))
-            .min_by(|(_, a), (_, b)| a.coverage().total_cmp(&b.coverage()));
-        let (index, relief) = smallest.filter(|(_, relief)| 4.0 * relief.coverage() < more)?;
-        let Relief {
-            first,
-            across,
-            finish,
-            ..
-        } = *relief;
-        let shown = relief.coverage();
-        relief.gain = 0.0;
-        self.widen(shown, across, finish);
-        Some((index, first))
-    }
-
-    fn keep(&mut self, index: usize, relief: Option<Relief>) {
-        if let Some(relief) = relief {
-            self.reliefs[index] = relief;
-            self.relief_count = self.relief_count.max(u32::try_from(index + 1).unwrap_or(0));
-        }
-    }
-
-    /// Shares a scratch that takes `more` of the pixel, and for which there is no room, out between those that
-    /// resemble it, in proportion to what they show: nothing is lost.
-    fn widen(&mut self, more: f32, across: Vec2, finish: u8) {
-        let reliefs = &mut self.reliefs[..self.relief_count as usize];
-        let weighed = |relief: &Relief| relief.likeness(across, finish) * relief.coverage();
-        let all: f32 = reliefs.iter().map(weighed).sum();
-        if all > 0.0 {
-            for relief in reliefs {
-                relief.gain *= 1.0 + more * relief.likeness(across, finish) / all;
-            }
-        }
+        true
     }
 
     /// Where scratches crowd, their shares are scaled to fill the pixel and no more.
     fn share_out(&mut self) {
         let reliefs = &mut self.reliefs[..self.relief_count as usize];
-        let all: f32 = reliefs.iter().map(Relief::coverage).sum();
+        let shown = |flock: Flock| {
+            flock.share * self.zones.seen_width(flock.slots, flock.across, self.view)
+        };
+        let crowd: f32 = self.flocks.iter().map(shown).sum();
+        let all = crowd + reliefs.iter().map(Relief::coverage).sum::<f32>();
         if all > 1.0 {
             reliefs.iter_mut().for_each(|relief| relief.gain /= all);
+            self.flocks.scale(1.0 / all);
         }
         // An empty sum is -0.
         self.coverage = (0.0 + all).clamp(0.0, 1.0);

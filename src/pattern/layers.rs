@@ -1,6 +1,6 @@
 //! Zones cut where a cross-section passes from one layer of the material into the next.
 
-use crate::pattern::MOST_VERTICES;
+use super::track::MOST_VERTICES;
 
 /// Interfaces crossed by one cross-section are cut as long as there is room for this many vertices.
 const MOST_CUT: usize = MOST_VERTICES + 16;

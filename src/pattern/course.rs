@@ -1,0 +1,105 @@
+//! What a scratch's cross-section depends on, as a function of arc length.
+
+use super::scratch::Key;
+use super::tracks::TrackRef;
+use crate::formation::DepthLaw;
+use crate::single;
+use std::collections::HashMap;
+
+/// Courses of all scratches, each stored once: knots (share of arc length, share of the largest value).
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Courses {
+    knots: Vec<[f32; 2]>,
+    known: HashMap<Vec<[u32; 2]>, u32>,
+}
+
+/// One scratch's course: linear between its knots, constant before the first and after the last.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Course<'p> {
+    pub knots: &'p [[f32; 2]],
+    /// The largest value: knots are shares of it, so that scratches of one taper share their knots.
+    pub scale: f32,
+}
+
+/// The course of a scratch whose cross-sections are known by arc length itself.
+pub(crate) const BY_ARC_LENGTH: [[f32; 2]; 2] = [[0.0; 2], [1.0; 2]];
+
+/// Knots and scale of what the keys state: force, or depth under [`DepthLaw::Stated`].
+pub(crate) fn of_keys(keys: &[Key], law: DepthLaw) -> (Vec<[f32; 2]>, f32) {
+    let stated = |key: &Key| value(key, law);
+    let scale = keys.iter().map(stated).fold(0.0, f64::max);
+    let share = |key: &Key| {
+        if scale > 0.0 {
+            stated(key) / scale
+        } else {
+            0.0
+        }
+    };
+    if keys.iter().all(|key| stated(key) == scale) {
+        return (vec![[0.0, 1.0]], single(scale));
+    }
+    let knots = keys.iter().map(|key| [single(key.at), single(share(key))]);
+    (knots.collect(), single(scale))
+}
+
+/// What of a key the cross-section depends on.
+pub(crate) fn value(key: &Key, law: DepthLaw) -> f64 {
+    match law {
+        DepthLaw::Stated => key.depth_mm,
+        _ => key.force_kgf,
+    }
+}
+
+impl Courses {
+    /// The number of the first of these knots among all.
+    pub(crate) fn place(&mut self, knots: &[[f32; 2]]) -> u32 {
+        let key: Vec<[u32; 2]> = knots.iter().map(|knot| knot.map(f32::to_bits)).collect();
+        let all = &mut self.knots;
+        *self.known.entry(key).or_insert_with(|| {
+            all.extend(knots);
+            u32::try_from(all.len() - knots.len()).unwrap_or(u32::MAX)
+        })
+    }
+
+    pub(crate) fn knots(&self) -> &[[f32; 2]] {
+        &self.knots
+    }
+}
+
+impl Course<'_> {
+    /// Its value at a share of arc length.
+    pub(crate) fn value(&self, at: f64) -> f64 {
+        let next = self.knots.partition_point(|knot| f64::from(knot[0]) <= at);
+        let share = match (
+            next.checked_sub(1).and_then(|i| self.knots.get(i)),
+            self.knots.get(next),
+        ) {
+            (Some(a), Some(b)) => {
+                let ([a, at_a], [b, at_b]) = (a.map(f64::from), b.map(f64::from));
+                at_a + (at_b - at_a) * ((at - a) / (b - a))
+            }
+            (Some(only), None) | (None, Some(only)) => only[1].into(),
+            (None, None) => 0.0,
+        };
+        share * f64::from(self.scale)
+    }
+
+    /// How much the cross-section changes from one share of arc length to another, all to and fro counted.
+    pub(crate) fn change(&self, track: &TrackRef<'_>, from: f64, to: f64) -> f64 {
+        if self.knots.len() < 2 {
+            return 0.0;
+        }
+        let knots = self.knots.iter().map(|knot| knot.map(f64::from));
+        let inner = knots.filter(|knot| knot[0] > from && knot[0] < to);
+        let (mut last, mut sum) = (track.change(self.value(from)), 0.0);
+        for value in inner
+            .map(|knot| knot[1] * f64::from(self.scale))
+            .chain([self.value(to)])
+        {
+            let next = track.change(value);
+            sum += (next - last).abs();
+            last = next;
+        }
+        sum
+    }
+}

@@ -1,0 +1,170 @@
+//! Scratches by cross-section and direction: what a pixel holds of each, where they are too many to be
+//! told apart.
+
+use super::palette::{MOST_CLASSES, Palette};
+use core::f64::consts::{PI, TAU};
+use glam::DVec2;
+
+/// Directions of travel, once around. Directions within one are kept as their mean.
+pub(crate) const DIRECTIONS: usize = 64;
+
+const KEYS: usize = MOST_CLASSES * DIRECTIONS;
+
+const STEP_RAD: f64 = TAU / DIRECTIONS as f64;
+
+/// Scratched area by class and direction of travel.
+#[derive(Clone, Debug)]
+pub(crate) struct Crowd {
+    /// Per key: area, mm² in the pattern's own scale, and area times the place within the direction's step
+    /// (-1/2 to 1/2).
+    sums: [[f32; 2]; KEYS],
+    /// How many parts of scratches were added.
+    pub count: u32,
+}
+
+/// One entry of a prefiltered cell: 9 bits of key, 7 of place within the step, and a number's upper 16.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub(crate) struct Packed(u32);
+
+/// One class in one direction.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Flock {
+    pub class: usize,
+    /// Unit direction of travel in texture space, scaled by units per (u, v).
+    pub travel: DVec2,
+    /// mm² in the pattern's own scale.
+    pub area_mm2: f64,
+}
+
+impl Crowd {
+    pub(crate) const fn new() -> Self {
+        Self {
+            sums: [[0.0; 2]; KEYS],
+            count: 0,
+        }
+    }
+
+    /// Adds scratched area that travels along `travel` (any length), shared between classes.
+    pub(crate) fn add(
+        &mut self,
+        palette: &Palette,
+        classes: &[(usize, f32)],
+        travel: DVec2,
+        area_mm2: f32,
+    ) {
+        let angle = travel.y.atan2(travel.x).rem_euclid(TAU);
+        self.count += 1;
+        for &(class, share) in classes
+            .iter()
+            .filter(|(class, share)| *share > 0.0 && *class < MOST_CLASSES)
+        {
+            let angle = if palette.is_symmetric(class) {
+                angle % PI
+            } else {
+                angle
+            };
+            let (direction, place) = step(angle);
+            let sum = &mut self.sums[class * DIRECTIONS + direction];
+            sum[0] += share * area_mm2;
+            sum[1] += share * area_mm2 * place;
+        }
+    }
+
+    /// Adds a share of a prefiltered cell.
+    pub(crate) fn add_packed(&mut self, entries: &[Packed], share: f32) {
+        for entry in entries {
+            let (key, place, area_mm2) = entry.unpacked();
+            if let Some(sum) = self.sums.get_mut(key) {
+                sum[0] += share * area_mm2;
+                sum[1] += share * area_mm2 * place;
+            }
+        }
+    }
+
+    /// What is in it, for a prefiltered cell.
+    pub(crate) fn packed(&self) -> impl Iterator<Item = Packed> {
+        let held = self.sums.iter().enumerate().filter(|(_, sum)| sum[0] > 0.0);
+        held.map(|(key, &[area_mm2, moment])| Packed::new(key, moment / area_mm2, area_mm2))
+    }
+
+    /// All classes and directions held, class by class; `coarser` neighbouring directions counting as one.
+    pub(crate) fn flocks(&self, coarser: usize) -> impl Iterator<Item = Flock> {
+        self.sums
+            .chunks(coarser)
+            .enumerate()
+            .filter_map(move |(i, sums)| {
+                let (mut area, mut angle) = (0.0, 0.0);
+                for (k, sum) in sums.iter().enumerate() {
+                    let [own, moment] = sum.map(f64::from);
+                    area += own;
+                    angle += own * ((i * coarser + k) % DIRECTIONS) as f64 + 0.5 * own + moment;
+                }
+                (area > 0.0).then(|| Flock {
+                    class: i * coarser / DIRECTIONS,
+                    travel: DVec2::from_angle(angle / area * STEP_RAD),
+                    area_mm2: area,
+                })
+            })
+    }
+}
+
+/// The direction that an angle in 0 to 2 pi falls into, and its place within that step.
+fn step(angle: f64) -> (usize, f32) {
+    let at = angle / STEP_RAD;
+    let direction = (0..DIRECTIONS).nth(floor(at)).unwrap_or(DIRECTIONS - 1);
+    (direction, crate::single(at - direction as f64 - 0.5))
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the cast saturates"
+)]
+fn floor(at: f64) -> usize {
+    at as usize
+}
+
+impl Packed {
+    fn new(key: usize, place: f32, area_mm2: f32) -> Self {
+        let key = u32::try_from(key).unwrap_or(0) & 0x1ff;
+        let place = floor(f64::from((place + 0.5).clamp(0.0, 1.0)) * 127.0 + 0.5);
+        // Rounded to the nearest: cut off, sums would fall short.
+        let area = area_mm2.to_bits().saturating_add(0x8000) >> 16;
+        Self(key << 23 | (u32::try_from(place).unwrap_or(0) & 0x7f) << 16 | area)
+    }
+
+    fn unpacked(self) -> (usize, f32, f32) {
+        let place = f32::from(u8::try_from(self.0 >> 16 & 0x7f).unwrap_or(0)) / 127.0 - 0.5;
+        ((self.0 >> 23) as usize, place, f32::from_bits(self.0 << 16))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Packing keeps class, direction and area; nothing is lost on the way through a cell.
+    #[test]
+    fn packing_keeps_what_matters() {
+        let palette = Palette::default();
+        let mut crowd = Crowd::new();
+        for (i, degrees) in [0.0, 13.0, 90.0, 181.0, 359.9].into_iter().enumerate() {
+            let travel = DVec2::from_angle(f64::to_radians(degrees));
+            crowd.add(&palette, &[(i, 0.25), (5, 0.75)], travel, 3.7e-4);
+        }
+        let packed: Vec<Packed> = crowd.packed().collect();
+        let mut again = Crowd::new();
+        again.add_packed(&packed, 0.5);
+        for (a, b) in crowd.flocks(1).zip(again.flocks(1)) {
+            assert_eq!(a.class, b.class, "class");
+            assert!(a.travel.angle_to(b.travel).abs() < 5e-4, "{a:?} {b:?}");
+            assert!((b.area_mm2 / a.area_mm2 - 0.5).abs() < 2e-3, "{a:?} {b:?}");
+        }
+        assert_eq!(
+            crowd.flocks(1).count(),
+            again.flocks(1).count(),
+            "lost some"
+        );
+    }
+}

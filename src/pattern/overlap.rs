@@ -1,0 +1,113 @@
+//! How much of each piece later scratches leave of it (Bosch et al. 2004, section 3.3, leaves crossings out).
+//!
+//! Where a pixel holds few scratches, crossings are cut out exactly while shading; this is their mean along a
+//! piece, for pixels that hold many.
+
+use super::Pattern;
+use super::grid::CellPieces;
+use super::region::Region;
+use arrayvec::ArrayVec;
+use core::ops::ControlFlow;
+use glam::DVec2;
+use rayon::prelude::*;
+
+/// Later pieces near one that are looked at: beyond, little of it is left.
+const MOST_NEIGHBOURS: usize = 256;
+
+/// A piece as a straight strip, mm in the pattern's own scale.
+#[derive(Clone, Copy)]
+struct Strip {
+    middle: DVec2,
+    /// Half its length, as a vector.
+    half: DVec2,
+    half_width: f64,
+}
+
+impl Strip {
+    fn along(&self) -> DVec2 {
+        self.half.normalize_or(DVec2::X)
+    }
+
+    fn region(&self) -> Region {
+        Region::parallelogram(2.0 * self.half, 2.0 * self.half_width * self.along().perp())
+    }
+
+    /// Whether all of another strip lies beside this one.
+    fn misses(&self, other: &Self) -> bool {
+        let away = other.middle - self.middle;
+        let along = self.along();
+        let turned = |v: DVec2| [v.dot(along).abs(), v.perp_dot(along).abs()];
+        let [away_x, away_y] = turned(away);
+        let [half_x, half_y] = turned(other.half);
+        away_y > half_y + self.half_width + other.half_width
+            || away_x > half_x + self.half.length() + other.half_width
+    }
+
+    /// The share of this strip that another one covers.
+    fn covered_by(&self, other: &Self) -> f64 {
+        if self.misses(other) || other.misses(self) {
+            return 0.0;
+        }
+        let region = self.region();
+        let away = other.middle - self.middle;
+        let along = other.along();
+        let across = along.perp();
+        let (length, width) = (other.half.length(), other.half_width);
+        let covered = region
+            .clipped(away - along * length, along)
+            .and_then(|part| part.clipped(away + along * length, -along))
+            .and_then(|part| part.clipped(away - across * width, across))
+            .and_then(|part| part.clipped(away + across * width, -across));
+        covered.map_or(0.0, |part| part.area() / region.area())
+    }
+}
+
+/// The share of each piece that later scratches leave: those that cover a part of it each do so independently
+/// of one another.
+pub(super) fn visible_shares(pattern: &Pattern, _cells: &CellPieces) -> Vec<f32> {
+    let count = pattern.curves().pieces.len();
+    let strips: Vec<Strip> = (0..count)
+        .into_par_iter()
+        .map(|i| strip(pattern, i))
+        .collect();
+    let reach = DVec2::splat(f64::from(pattern.extent.half_width_mm))
+        / (pattern.units_per_uv * pattern.mm_per_scene_unit);
+    let visible = |number: usize| {
+        let [low, high] = pattern.curves().bounds(number);
+        let mut later: ArrayVec<usize, MOST_NEIGHBOURS> = ArrayVec::new();
+        let mut visible = 1.0;
+        let _ = pattern.grid.query(low - reach, high + reach, |other| {
+            let other = other as usize;
+            if other <= number + 1
+                || strips[number].misses(&strips[other])
+                || later.contains(&other)
+            {
+                return ControlFlow::Continue(());
+            }
+            visible *= 1.0 - strips[number].covered_by(&strips[other]);
+            match later.try_push(other) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(_) => ControlFlow::Break(()),
+            }
+        });
+        crate::single(visible.max(0.0))
+    };
+    (0..count).into_par_iter().map(visible).collect()
+}
+
+fn strip(pattern: &Pattern, number: usize) -> Strip {
+    let curves = pattern.curves();
+    let [a, _, _, b] = curves.control(number);
+    let scale = pattern.units_per_uv * pattern.mm_per_scene_unit;
+    let [from, to] = curves.at(number);
+    let ends = pattern
+        .strand(curves.pieces[number].scratch)
+        .map_or([0.0; 2], |(track, course)| {
+            track.ends(course.value(0.5 * (from + to)))
+        });
+    Strip {
+        middle: 0.5 * (a + b) * scale,
+        half: 0.5 * (b - a) * scale,
+        half_width: 0.5 * f64::from(ends[1] - ends[0]),
+    }
+}

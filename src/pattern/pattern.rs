@@ -1,0 +1,166 @@
+//! A surface with its scratches, ready to be queried.
+
+use super::builder::PatternBuilder;
+use super::course::Course;
+use super::grid::Grid;
+use super::overlap::visible_shares;
+use super::palette::Palette;
+use super::pieces::{Curves, Piece};
+use super::prefilter::Pyramid;
+use super::tracks::{Extent, TrackRef, Tracks};
+use crate::brdf::Finish;
+use glam::DVec2;
+
+/// Neighbouring pieces that turn less than this in all are one run, with one frame, degrees. On smooth finishes
+/// less: see [`run_cos`].
+const MOST_RUN_DEG: f64 = 2.0;
+
+/// A surface with its scratches, immutable: share it between threads as you like.
+#[derive(Clone, Debug)]
+pub struct Pattern {
+    points: Vec<DVec2>,
+    pieces: Vec<Piece>,
+    strands: Vec<Strand>,
+    knots: Vec<[f32; 2]>,
+    tracks: Tracks,
+    /// The share of each piece that later scratches leave.
+    visible: Vec<f32>,
+    pub(crate) palette: Palette,
+    pub(super) pyramid: Pyramid,
+    pub(super) grid: Grid,
+    pub(crate) surface: Finish,
+    pub(crate) mm_per_scene_unit: f64,
+    pub(crate) units_per_uv: DVec2,
+    /// How far any scratch reaches from its centre line.
+    pub(crate) extent: Extent,
+    pub(super) run_cos: f64,
+    /// Vertices of the finest cross-section.
+    pub(crate) most_vertices: usize,
+}
+
+/// One scratch: where its share of the arrays begins, and what is its alone.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(super) struct Strand {
+    pub first_piece: u32,
+    pub track: u32,
+    pub first_knot: u32,
+    pub knot_count: u32,
+    /// Largest value of its course.
+    pub scale: f32,
+    /// Arc length, scene units.
+    pub length: f32,
+}
+
+impl Pattern {
+    pub(super) fn of(builder: &PatternBuilder) -> Self {
+        let mut tracks = Tracks::default();
+        let shared = builder.kinds.tracks();
+        shared.iter().chain(&builder.own).for_each(|track| {
+            tracks.push(track);
+        });
+        let first_own = u32::try_from(shared.len()).unwrap_or(u32::MAX);
+        let strand = |added: &super::builder::Added| Strand {
+            track: added.strand.track + if added.is_own { first_own } else { 0 },
+            ..added.strand
+        };
+        let curves = builder.chains.curves();
+        let (grid, cells) = Grid::new(curves);
+        let smoothest = tracks
+            .finishes()
+            .iter()
+            .map(Finish::alpha)
+            .fold(1.0, f32::min);
+        let mut pattern = Self {
+            points: curves.points.to_vec(),
+            pieces: curves.pieces.to_vec(),
+            strands: builder.scratches.iter().map(strand).collect(),
+            knots: builder.courses.knots().to_vec(),
+            extent: tracks.extent(),
+            run_cos: run_cos(smoothest),
+            most_vertices: tracks
+                .iter()
+                .map(|track| track.most_vertices())
+                .max()
+                .unwrap_or(0),
+            surface: Finish::new(&builder.material.surface),
+            mm_per_scene_unit: builder.mm_per_scene_unit,
+            units_per_uv: builder.units_per_uv,
+            visible: Vec::new(),
+            palette: Palette::default(),
+            pyramid: Pyramid::default(),
+            grid,
+            tracks,
+        };
+        pattern.visible = visible_shares(&pattern, &cells);
+        pattern.palette = Palette::new(&pattern.tracks, &pattern.station_areas());
+        pattern.tracks.blends = pattern.palette.blends(&pattern.tracks);
+        pattern.pyramid = Pyramid::new(&pattern, &cells);
+        pattern
+    }
+
+    /// How much scratched area each station of the tracks stands for.
+    fn station_areas(&self) -> Vec<f64> {
+        const PLACES: u32 = 4;
+        let mut areas = vec![0.0; self.tracks.station_count()];
+        for (scratch, strand) in (0_u32..).zip(&self.strands) {
+            let Some((track, course)) = self.strand(scratch) else {
+                continue;
+            };
+            let places = if course.knots.len() > 1 { PLACES } else { 1 };
+            for i in 0..places {
+                let place = course.value((f64::from(i) + 0.5) / f64::from(places));
+                let [left, right] = track.ends(place);
+                let (station, mix) = track.locate(place);
+                let area = f64::from(strand.length * (right - left)) / f64::from(places);
+                let first = track.first_station + station;
+                areas[first] += area * f64::from(1.0 - mix);
+                if mix > 0.0 {
+                    areas[first + 1] += area * f64::from(mix);
+                }
+            }
+        }
+        areas
+    }
+
+    pub(super) fn visible_share(&self, piece: usize) -> f32 {
+        self.visible.get(piece).copied().unwrap_or(1.0)
+    }
+
+    /// How many scratches it holds.
+    pub fn scratch_count(&self) -> usize {
+        self.strands.len()
+    }
+
+    pub(super) fn curves(&self) -> Curves<'_> {
+        Curves {
+            points: &self.points,
+            pieces: &self.pieces,
+        }
+    }
+
+    /// A scratch's cross-sections, and how they follow one another along it.
+    pub(super) fn strand(&self, scratch: u32) -> Option<(TrackRef<'_>, Course<'_>)> {
+        let strand = self.strands.get(scratch as usize)?;
+        let first = strand.first_knot as usize;
+        let course = Course {
+            knots: self.knots.get(first..first + strand.knot_count as usize)?,
+            scale: strand.scale,
+        };
+        Some((self.tracks.get(strand.track)?, course))
+    }
+
+    /// The first and the last piece of a scratch.
+    pub(super) fn pieces_of(&self, scratch: u32) -> [usize; 2] {
+        let first = |scratch: usize| self.strands.get(scratch).map(|s| s.first_piece as usize);
+        let end = first(scratch as usize + 1).unwrap_or(self.pieces.len());
+        [first(scratch as usize).unwrap_or(0), end.saturating_sub(1)]
+    }
+}
+
+/// The cosine of how far a run may turn: a direction that is off by a degree moves the highlight of a flank by
+/// a third of that, which must be little beside the lobe's width.
+fn run_cos(smoothest_alpha: f32) -> f64 {
+    let degrees = (35.0 * f64::from(smoothest_alpha)).clamp(0.5, MOST_RUN_DEG);
+    degrees.to_radians().cos()
+}

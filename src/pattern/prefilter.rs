@@ -1,0 +1,233 @@
+//! What whole cells of the grid hold of each cross-section and direction, at every scale: for pixels that hold
+//! more scratches than can be looked at one by one.
+
+use super::Pattern;
+use super::closest::{bezier, length_share};
+use super::crowd::{Crowd, Packed};
+use super::grid::{CellPieces, Raster};
+use super::query::{Candidates, Hit, Reach};
+use super::region::Region;
+use glam::DVec2;
+use rayon::prelude::*;
+
+/// Cells that a pixel's bounding box may touch: a level is chosen for it.
+const MOST_CELLS: u32 = 64;
+
+/// A piece counts as a chain of at most this many straight chords.
+const MOST_CHORDS: u32 = 512;
+
+/// A chord turns no more than this.
+const CHORD_RAD: f64 = 0.07;
+
+/// A chord's cross-section changes no more than this share of its size.
+const CHORD_CHANGE: f64 = 0.14;
+
+/// A pyramid of cells: level 0 are the grid's, each level has half as many per side as the one before.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pyramid {
+    levels: Vec<Level>,
+    /// Where each cell's entries start; one more than there are cells.
+    starts: Vec<u32>,
+    entries: Vec<Packed>,
+}
+
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+struct Level {
+    raster: Raster,
+    first_cell: u32,
+    padding: u32,
+}
+
+/// A straight stretch of scratch.
+struct Chord {
+    ends: [DVec2; 2],
+    classes: [(usize, f32); 4],
+    /// Along the scratch, in texture space times units per (u, v).
+    travel: DVec2,
+    area_mm2: f32,
+}
+
+impl Pattern {
+    /// What a footprint holds of all scratches, however many; exact while the pieces are.
+    pub(crate) fn crowd(&self, reach: &Reach<'_>, candidates: Option<&Candidates>) -> Crowd {
+        let mut crowd = Crowd::new();
+        match candidates {
+            Some(candidates) => {
+                for &number in candidates {
+                    self.for_each_chord(number as usize, |chord| {
+                        let ends = chord.ends.map(|uv| reach.place(uv));
+                        let share = reach.footprint.share_of_segment(ends);
+                        self.add(&mut crowd, &chord, share);
+                    });
+                }
+            }
+            None => self.pyramid.add_to(&mut crowd, reach),
+        }
+        crowd
+    }
+
+    /// Adds one run that covers `area_mm2` of a footprint.
+    pub(crate) fn add_run(
+        &self,
+        crowd: &mut Crowd,
+        hit: &Hit<'_>,
+        reach: &Reach<'_>,
+        area_mm2: f64,
+    ) {
+        // From mm into the pattern's own scale, and back when it is shaded.
+        let travel = reach.metric.to_uv(hit.travel) * self.units_per_uv;
+        let area_mm2 = area_mm2 * travel.length() * self.mm_per_scene_unit;
+        let classes = hit.track.classes(hit.place);
+        crowd.add(&self.palette, &classes, travel, crate::single(area_mm2));
+    }
+
+    fn add(&self, crowd: &mut Crowd, chord: &Chord, share: f64) {
+        let area_mm2 = chord.area_mm2 * crate::single(share);
+        if area_mm2 > 0.0 {
+            crowd.add(&self.palette, &chord.classes, chord.travel, area_mm2);
+        }
+    }
+
+    /// Calls `visit` with the chords of a piece.
+    fn for_each_chord(&self, number: usize, mut visit: impl FnMut(Chord)) {
+        let curves = self.curves();
+        let Some((piece, (track, course))) = curves
+            .pieces
+            .get(number)
+            .and_then(|piece| Some((piece, self.strand(piece.scratch)?)))
+        else {
+            return;
+        };
+        let (control, [from, to]) = (curves.control(number), curves.at(number));
+        let scaled = control.map(|p| p * self.units_per_uv);
+        let turn = (scaled[1] - scaled[0])
+            .angle_to(scaled[3] - scaled[2])
+            .abs()
+            + (scaled[1] - scaled[0])
+                .angle_to(scaled[2] - scaled[1])
+                .abs();
+        let needed = (turn / CHORD_RAD).max(course.change(&track, from, to) / CHORD_CHANGE);
+        let count = (1..MOST_CHORDS).find(|&count| needed <= f64::from(count));
+        let count = count.unwrap_or(MOST_CHORDS);
+        let visible = f64::from(self.visible_share(number));
+        debug_assert!(piece.end_at > 0.0, "a piece has a length");
+        let mut start = control[0];
+        for i in 0..count {
+            let t = |i: f64| i / f64::from(count);
+            let end = bezier(&control, t(f64::from(i + 1)));
+            let at = from + (to - from) * length_share(&scaled, t(f64::from(i) + 0.5));
+            let place = course.value(at);
+            let [left, right] = track.ends(place).map(f64::from);
+            let travel = (end - start) * self.units_per_uv;
+            let area_mm2 = travel.length() * self.mm_per_scene_unit * (right - left) * visible;
+            visit(Chord {
+                ends: [start, end],
+                classes: track.classes(place),
+                travel,
+                area_mm2: crate::single(area_mm2),
+            });
+            start = end;
+        }
+    }
+}
+
+impl Pyramid {
+    /// Of a pattern that has all but this; `cells` lists the pieces of each of the grid's cells.
+    pub(crate) fn new(pattern: &Pattern, cells: &CellPieces) -> Self {
+        let raster = pattern.grid.raster;
+        let mut pyramid = Self::default();
+        let first: Vec<Vec<Packed>> = (0..raster.count())
+            .into_par_iter()
+            .map(|cell| {
+                let own = cells.of(cell);
+                let mut crowd = Crowd::new();
+                let [low, high] = raster.cell(cell).bounds();
+                let middle = 0.5 * (low + high);
+                let size = high - low;
+                let rect = Region::parallelogram(DVec2::new(size.x, 0.0), DVec2::new(0.0, size.y));
+                for piece in own {
+                    pattern.for_each_chord(piece, |chord| {
+                        let share = rect.share_of_segment(chord.ends.map(|uv| uv - middle));
+                        pattern.add(&mut crowd, &chord, share);
+                    });
+                }
+                crowd.packed().collect()
+            })
+            .collect();
+        pyramid.push(raster, &first);
+        let (mut raster, mut cells) = (raster, first);
+        while raster.count() > 1 {
+            let coarser = raster.coarser();
+            let merged = |cell: usize| {
+                let mut crowd = Crowd::new();
+                for child in raster.children(coarser, cell) {
+                    crowd.add_packed(&cells[child], 1.0);
+                }
+                crowd.packed().collect()
+            };
+            cells = (0..coarser.count()).into_par_iter().map(merged).collect();
+            pyramid.push(coarser, &cells);
+            raster = coarser;
+        }
+        pyramid
+    }
+
+    fn push(&mut self, raster: Raster, cells: &[Vec<Packed>]) {
+        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+        if self.starts.is_empty() {
+            self.starts.push(0);
+        }
+        self.levels.push(Level {
+            raster,
+            first_cell: number(self.starts.len() - 1),
+            padding: 0,
+        });
+        for cell in cells {
+            self.entries.extend(cell);
+            self.starts.push(number(self.entries.len()));
+        }
+    }
+
+    /// Adds what a footprint holds: each cell of the level that suits its size, by the area they share.
+    fn add_to(&self, crowd: &mut Crowd, reach: &Reach<'_>) {
+        let [low, high] = reach.footprint_uv();
+        let fits = |level: &&Level| level.raster.count_touched(low, high) <= MOST_CELLS;
+        let Some(level) = self.levels.iter().find(fits).or(self.levels.last()) else {
+            return;
+        };
+        let Some((columns, rows)) = level.raster.touched(low, high) else {
+            return;
+        };
+        for row in rows {
+            for column in columns.clone() {
+                let cell = row * level.raster.columns + column;
+                let entries = self.entries_of(level.first_cell + cell);
+                if entries.is_empty() {
+                    continue;
+                }
+                let [low, high] = level.raster.cell(cell as usize).bounds();
+                let corner = |u: f64, v: f64| reach.place(DVec2::new(u, v));
+                let corners = [
+                    corner(low.x, low.y),
+                    corner(high.x, low.y),
+                    corner(high.x, high.y),
+                    corner(low.x, high.y),
+                ];
+                let share = crate::single(reach.footprint.share_of_cell(corners));
+                if share > 0.0 {
+                    crowd.add_packed(entries, share);
+                    crowd.count += u32::try_from(entries.len()).unwrap_or(0);
+                }
+            }
+        }
+    }
+
+    fn entries_of(&self, cell: u32) -> &[Packed] {
+        let start = |i: usize| self.starts.get(i).map_or(0, |&start| start as usize);
+        let cell = cell as usize;
+        self.entries
+            .get(start(cell)..start(cell + 1))
+            .unwrap_or(&[])
+    }
+}

@@ -1,0 +1,259 @@
+//! All cross-sections of a pattern, in flat arrays.
+
+use super::palette::Blend;
+use super::track::Track;
+use crate::brdf::Finish;
+use crate::single;
+use glam::Vec2;
+
+/// All tracks, one after the other: no pointers to chase.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Tracks {
+    records: Vec<Record>,
+    stations: Vec<Station>,
+    vertices: Vec<Vec2>,
+    layers: Vec<LayerFinish>,
+    /// How each station is shared between the palette's classes.
+    pub blends: Vec<Blend>,
+}
+
+/// Where one track's share of the arrays begins, and how long it is.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+struct Record {
+    first_station: u32,
+    station_count: u32,
+    first_vertex: u32,
+    vertex_count: u32,
+    first_layer: u32,
+    layer_count: u32,
+    extent: Extent,
+    bulk: Finish,
+}
+
+/// A place on a track where its cross-section is known.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+struct Station {
+    at: f32,
+    /// How much the cross-section has changed since the first station, as a share of the track's largest size.
+    change: f32,
+}
+
+/// A layer's lower interface and finish.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(crate) struct LayerFinish {
+    /// z, mm, below 0.
+    pub bottom_mm: f32,
+    pub finish: Finish,
+}
+
+/// What of a cross-section bounds how far it matters, mm.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C)]
+pub(crate) struct Extent {
+    pub half_width_mm: f32,
+    pub height_mm: f32,
+}
+
+/// One track to read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TrackRef<'p> {
+    stations: &'p [Station],
+    vertices: &'p [Vec2],
+    blends: &'p [Blend],
+    /// Number of its first station among all.
+    pub first_station: usize,
+    pub vertex_count: usize,
+    pub layers: &'p [LayerFinish],
+    pub bulk: Finish,
+    pub extent: Extent,
+}
+
+impl Tracks {
+    /// Appends a track; its number.
+    pub(crate) fn push(&mut self, track: &Track) -> u32 {
+        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+        let extent = Extent::of(&track.vertices);
+        self.records.push(Record {
+            first_station: number(self.stations.len()),
+            station_count: number(track.at.len()),
+            first_vertex: number(self.vertices.len()),
+            vertex_count: number(track.vertex_count),
+            first_layer: number(self.layers.len()),
+            layer_count: number(track.finishes.layers.len()),
+            extent,
+            bulk: track.finishes.bulk,
+        });
+        let size = Vec2::new(extent.half_width_mm, extent.height_mm).max(Vec2::splat(1e-30));
+        let shapes: Vec<&[Vec2]> = track.vertices.chunks(track.vertex_count).collect();
+        let mut change = 0.0;
+        for (i, &at) in track.at.iter().enumerate() {
+            if i > 0 {
+                let steps = shapes[i - 1]
+                    .iter()
+                    .zip(shapes[i])
+                    .map(|(a, b)| (*b - *a) / size);
+                change += steps.fold(0.0, |most: f32, step| most.max(step.abs().max_element()));
+            }
+            self.stations.push(Station {
+                at: single(at),
+                change,
+            });
+        }
+        self.vertices.extend(&track.vertices);
+        let layers = track.finishes.layers.iter();
+        self.layers
+            .extend(layers.map(|&(bottom_mm, finish)| LayerFinish { bottom_mm, finish }));
+        number(self.records.len() - 1)
+    }
+
+    /// A track by its number.
+    pub(crate) fn get(&self, number: u32) -> Option<TrackRef<'_>> {
+        let record = self.records.get(number as usize)?;
+        let (first, count) = (record.first_station as usize, record.station_count as usize);
+        let (vertex, per_station) = (record.first_vertex as usize, record.vertex_count as usize);
+        let layer = record.first_layer as usize;
+        Some(TrackRef {
+            stations: self.stations.get(first..first + count)?,
+            blends: self.blends.get(first..first + count).unwrap_or(&[]),
+            first_station: first,
+            vertices: self.vertices.get(vertex..vertex + count * per_station)?,
+            vertex_count: per_station,
+            layers: self
+                .layers
+                .get(layer..layer + record.layer_count as usize)?,
+            bulk: record.bulk,
+            extent: record.extent,
+        })
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = TrackRef<'_>> {
+        (0..self.records.len()).filter_map(|number| self.get(u32::try_from(number).ok()?))
+    }
+
+    pub(crate) fn station_count(&self) -> usize {
+        self.stations.len()
+    }
+
+    /// All different finishes.
+    pub(crate) fn finishes(&self) -> Vec<Finish> {
+        let layers = self.layers.iter().map(|layer| layer.finish);
+        let mut all = Vec::new();
+        for finish in layers.chain(self.records.iter().map(|record| record.bulk)) {
+            if !all.contains(&finish) {
+                all.push(finish);
+            }
+        }
+        all
+    }
+
+    /// The extent of all.
+    pub(crate) fn extent(&self) -> Extent {
+        let extents = self.records.iter().map(|record| record.extent);
+        extents.fold(Extent::default(), Extent::max)
+    }
+}
+
+impl Extent {
+    fn of(vertices: &[Vec2]) -> Self {
+        let size = vertices
+            .iter()
+            .fold(Vec2::ZERO, |size, v| size.max(v.abs()));
+        Self {
+            half_width_mm: size.x,
+            height_mm: size.y,
+        }
+    }
+
+    fn max(self, other: Self) -> Self {
+        Self {
+            half_width_mm: self.half_width_mm.max(other.half_width_mm),
+            height_mm: self.height_mm.max(other.height_mm),
+        }
+    }
+}
+
+impl TrackRef<'_> {
+    pub(crate) fn station_count(&self) -> usize {
+        self.stations.len()
+    }
+
+    /// Vertices of its cross-sections, once they are cut into layers.
+    pub(crate) fn most_vertices(&self) -> usize {
+        self.vertex_count + 2 * self.layers.len()
+    }
+
+    /// Where a station is.
+    pub(crate) fn station_at(&self, station: usize) -> f64 {
+        self.stations[station].at.into()
+    }
+
+    /// The finishes of its zones, from the surface down.
+    pub(crate) fn finishes(&self) -> impl Iterator<Item = Finish> {
+        let layers = self.layers.iter().map(|layer| layer.finish);
+        layers.chain([self.bulk])
+    }
+
+    /// Classes that stand for the cross-section at a place, and the share of each.
+    pub(crate) fn classes(&self, at: f64) -> [(usize, f32); 4] {
+        let (last, mix) = self.locate(at);
+        let of = |station: usize, share: f32| {
+            let blend = self.blends.get(station).copied().unwrap_or_default();
+            let [a, b] = blend.classes.map(usize::from);
+            [(a, share * (1.0 - blend.second)), (b, share * blend.second)]
+        };
+        let next = (last + 1).min(self.stations.len() - 1);
+        let ([a, b], [c, d]) = (of(last, 1.0 - mix), of(next, mix));
+        [a, b, c, d]
+    }
+
+    /// The station before a place, and how far the place is on the way to the next.
+    pub(crate) fn locate(&self, at: f64) -> (usize, f32) {
+        let place = |i: usize| f64::from(self.stations[i].at);
+        let next = self
+            .stations
+            .partition_point(|station| f64::from(station.at) <= at);
+        let last = next.saturating_sub(1);
+        let next = next.min(self.stations.len() - 1);
+        let span = place(next) - place(last);
+        let mix = if span > 0.0 {
+            single(((at - place(last)) / span).clamp(0.0, 1.0))
+        } else {
+            0.0
+        };
+        (last, mix)
+    }
+
+    /// The cross-section's vertices at a place, as x and z written to the two slices.
+    pub(crate) fn sample(&self, at: f64, xs: &mut [f32], zs: &mut [f32]) {
+        let (last, mix) = self.locate(at);
+        let next = (last + 1).min(self.stations.len() - 1);
+        let pairs = self.shape(last).iter().zip(self.shape(next));
+        for ((a, b), (x, z)) in pairs.zip(xs.iter_mut().zip(zs.iter_mut())) {
+            let point = a.lerp(*b, mix);
+            (*x, *z) = (point.x, point.y);
+        }
+    }
+
+    /// Where the cross-section begins and ends at a place, mm across from the centre line.
+    pub(crate) fn ends(&self, at: f64) -> [f32; 2] {
+        let (last, mix) = self.locate(at);
+        let next = (last + 1).min(self.stations.len() - 1);
+        let (a, b) = (self.shape(last), self.shape(next));
+        [0, self.vertex_count - 1].map(|i| a[i].lerp(b[i], mix).x)
+    }
+
+    /// How much the cross-section has changed from the first station to a place.
+    pub(crate) fn change(&self, at: f64) -> f64 {
+        let (last, mix) = self.locate(at);
+        let next = (last + 1).min(self.stations.len() - 1);
+        let (a, b) = (self.stations[last].change, self.stations[next].change);
+        f64::from(a) + f64::from(b - a) * f64::from(mix)
+    }
+
+    fn shape(&self, station: usize) -> &[Vec2] {
+        &self.vertices[station * self.vertex_count..(station + 1) * self.vertex_count]
+    }
+}

@@ -1,0 +1,55 @@
+//! Where scratches cross, the later one cuts the earlier: its groove and peaks replace what was there.
+
+use crate::pattern::{Hit, Region};
+use arrayvec::ArrayVec;
+
+/// Parts that crossings may cut a run's share of the pixel into.
+const MOST_PARTS: usize = 8;
+
+/// Parts of less than this share of the pixel are none.
+const LEAST_PART: f64 = 1e-9;
+
+/// How far beside a scratch's edge cuts still matter, as a share of its width: parallax shows the scratch there.
+const BESIDE: f64 = 1.0;
+
+/// Parts of a run's region.
+pub(crate) type Parts = ArrayVec<Region, MOST_PARTS>;
+
+/// What is left of the region beside run `i`; `hits` are in the order in which they were scratched. Nothing if it
+/// is too many parts.
+pub(crate) fn uncut(hits: &[Hit<'_>], i: usize, pixel_area: f64) -> Option<Parts> {
+    let run = &hits[i];
+    let mut left = ArrayVec::new();
+    left.push(run.region);
+    for later in &hits[i + 1..] {
+        let [from, to] = later.ends_mm();
+        if to <= from || later.adjoins(run) || !reaches(later, run, pixel_area) {
+            continue;
+        }
+        let mut still = ArrayVec::new();
+        for part in &left {
+            let mut rest = Some(*part);
+            for [origin, inward] in later.borders([from, to]) {
+                let Some(whole) = rest else { break };
+                if let Some(outside) = whole.clipped(origin, -inward)
+                    && outside.area() > LEAST_PART * pixel_area
+                {
+                    still.try_push(outside).ok()?;
+                }
+                rest = whole.clipped(origin, inward);
+            }
+        }
+        left = still;
+    }
+    Some(left)
+}
+
+/// Whether a later run covers anything near an earlier one.
+fn reaches(later: &Hit<'_>, run: &Hit<'_>, pixel_area: f64) -> bool {
+    let [from, to] = run.ends_mm();
+    let beside = BESIDE * (to - from);
+    let cut = later
+        .cover
+        .and_then(|cover| run.covered([from - beside, to + beside], cover));
+    cut.is_some_and(|cut| cut.area() > LEAST_PART * pixel_area)
+}
