@@ -15,7 +15,7 @@ const CONE_CHORDS: u32 = 96;
 /// Halvings when looking for a cone's rim: to the last digits of a double.
 const HALVINGS: u32 = 52;
 
-/// Points this much closer to each other than the contact is wide count as one.
+/// Points this much closer to each other than the tool or its contact is wide count as one.
 const SAME: f64 = 1e-10;
 
 /// The lower surface of a turned tool, relative to its tip: the lowest point, the middle of them if several are.
@@ -104,8 +104,7 @@ impl<'a> Imprint<'a> {
             .into_iter()
             .filter_map(reach)
             .collect();
-        let line: Vec<DVec2> = lower_envelope(&segments)
-            .iter()
+        let line: Vec<DVec2> = wide_parts(lower_envelope(&segments))
             .flat_map(|segment| [segment.from, segment.to])
             .map(|point| DVec2::new(point.x, -point.y))
             .collect();
@@ -140,13 +139,12 @@ impl<'a> Imprint<'a> {
                 triangles,
             } => {
                 let segments = plane_segments(vertices, triangles, outward);
-                for segment in lower_envelope(&segments) {
-                    let gap = points
-                        .last()
-                        .is_some_and(|last| last.x < segment.from.x && points.len() > 1);
-                    if gap {
-                        let last_x = points.last().map_or(0.0, |last| last.x);
-                        points.push(DVec2::new(last_x, top_mm));
+                let envelope = lower_envelope(&segments);
+                let seam_mm = SAME * envelope.last().map_or(0.0, |last| last.to.x);
+                for segment in wide_parts(envelope) {
+                    let last = points.last().copied().unwrap_or_default();
+                    if points.len() > 1 && segment.from.x > last.x + seam_mm {
+                        points.push(DVec2::new(last.x, top_mm));
                         points.push(DVec2::new(segment.from.x, top_mm));
                     }
                     points.extend([segment.from, segment.to]);
@@ -158,6 +156,11 @@ impl<'a> Imprint<'a> {
             points.push(DVec2::new(last.x, top_mm));
         }
         points.dedup();
+        let mut x = 0.0_f64;
+        for point in &mut points {
+            x = x.max(point.x);
+            point.x = x;
+        }
         points
     }
 
@@ -316,6 +319,16 @@ fn crossings(points: &[DVec3], side: &impl Fn(&DVec3) -> f64) -> impl Iterator<I
     })
 }
 
+/// An envelope without what is seen through seams that rounding leaves between triangles.
+fn wide_parts(envelope: Vec<Segment>) -> impl Iterator<Item = Segment> {
+    let from_x = envelope.first().map_or(0.0, |first| first.from.x);
+    let to_x = envelope.last().map_or(0.0, |last| last.to.x);
+    let seam_mm = SAME * (to_x - from_x);
+    envelope
+        .into_iter()
+        .filter(move |segment| segment.to.x - segment.from.x > seam_mm)
+}
+
 /// The points of a hull's section, on the outward side.
 fn crossed_by_plane(corners: &[DVec3], outward: DVec2) -> Vec<DVec2> {
     let side = |corner: &DVec3| outward.perp_dot(corner.truncate());
@@ -356,6 +369,8 @@ fn cut_triangles<'a>(
         let mut crossed = [(a, b), (b, c), (c, a)]
             .into_iter()
             .filter(|&(i, j)| (sides[i] <= 0.0) != (sides[j] <= 0.0))
+            // The same place for both triangles at an edge.
+            .map(|(i, j)| (i.min(j), i.max(j)))
             .map(|(i, j)| vertices[i].lerp(vertices[j], sides[i] / (sides[i] - sides[j])));
         Some([crossed.next()?, crossed.next()?])
     })
