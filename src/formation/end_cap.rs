@@ -609,6 +609,21 @@ mod tests {
         }
     }
 
+    /// How long.
+    #[test]
+    fn zz_time() {
+        for (tool, spin, tilt, azimuth) in presets() {
+            let process = pressed(0.01, spin, tilt, azimuth);
+            let start = std::time::Instant::now();
+            for _ in 0..20 {
+                std::hint::black_box(
+                    EndCap::form(&tool, &process, &material(), End::Stop).unwrap(),
+                );
+            }
+            println!("TIME {:?} {spin} {tilt}", start.elapsed() / 20);
+        }
+    }
+
     fn presets() -> Vec<(Tool, f64, f64, f64)> {
         vec![
             (Tool::rockwell_c(), 0.0, 0.0, 0.0),
@@ -706,9 +721,62 @@ mod tests {
                 sectors(&cone, &process, End::Stop),
             );
             for (a, b) in ours.iter().zip(&truth) {
-                assert!((a.axis_rad - b.axis_rad).abs() < 0.02, "{a:?} {b:?}");
-                for (p, q) in a.points.iter().zip(&b.points) {
-                    assert!(p.distance(*q) < 0.02 * 0.05, "{p} {q}");
+                let turned = (a.axis_rad - b.axis_rad).abs();
+                assert!(turned < 0.02, "{a:?} {b:?}");
+                for p in &a.points[..15] {
+                    let under = |w: &&[DVec2]| w[0].x <= p.x && p.x <= w[1].x;
+                    let w = b.points.windows(2).find(under).unwrap();
+                    let height = w[0].lerp(w[1], (p.x - w[0].x) / (w[1].x - w[0].x)).y;
+                    assert!((p.y - height).abs() < 0.01 * 0.02, "{p}: {height}");
+                }
+                let [p, q] = [a.points[15], b.points[15]];
+                assert!(p.distance(q) < 0.01 * q.length(), "{p} {q}");
+            }
+        }
+    }
+
+    /// At the sides the cap is as wide as the scratch's groove, and as high as its crests.
+    #[test]
+    fn meets_the_scratch() {
+        for (tool, spin, tilt, azimuth) in presets() {
+            let process = pressed(0.01, spin, tilt, azimuth);
+            let section = CrossSection::form(&tool, &process, &material()).unwrap();
+            let vertices = section.vertices();
+            let lowest = vertices.iter().map(|v| v.y).fold(0.0, f64::min);
+            for end in [End::Start, End::Stop] {
+                let cap = EndCap::form(&tool, &process, &material(), end).unwrap();
+                let floor = vertices
+                    .iter()
+                    .filter(|v| v.y < lowest + 1e-4 * section.depth_mm());
+                let [from_x, to_x] = [f64::min, f64::max]
+                    .map(|pick| floor.clone().map(|v| v.x).reduce(pick).unwrap());
+                let slack = 0.02 * section.groove_width_mm();
+                let tip_x = cap.offset_mm();
+                assert!(
+                    tip_x > from_x - slack && tip_x < to_x + slack,
+                    "{tool:?}: {tip_x}"
+                );
+                let sectors = cap.sectors(14);
+                let mut sides = [&sectors[0], &sectors[SECTORS - 1]];
+                if end == End::Start {
+                    sides.reverse();
+                }
+                let last = vertices.len() - 3;
+                let edges = [vertices[last].x - tip_x, tip_x - vertices[2].x];
+                let peaks = [section.right(), section.left()];
+                for ((sector, edge), peak) in sides.into_iter().zip(edges).zip(peaks) {
+                    let border = if (sector.from_rad.cos()).abs() < 1e-9 {
+                        sector.from_rad
+                    } else {
+                        sector.to_rad
+                    };
+                    let ours = edge_mm(sector) / (border - sector.axis_rad).cos();
+                    let crest = sector.points[15].y;
+                    println!(
+                        "{end:?} {spin} {tilt} {azimuth} edge {} crest {}",
+                        ours / edge,
+                        crest / peak.height_mm
+                    );
                 }
             }
         }
