@@ -3,7 +3,7 @@
 use super::facets::{facet_points, facets_needed};
 use super::material::Material;
 use super::orientation::Orientation;
-use super::outline::Cut;
+use super::outline::{Cut, Outline};
 use super::penetration::DepthLaw;
 use super::pileup::{Peak, PileUp};
 use super::tool::Tool;
@@ -23,6 +23,18 @@ pub struct Process {
     pub orientation: Orientation,
 }
 
+impl Process {
+    /// The outline of `tool` held so, and its depth under load in mm.
+    pub(super) fn press(&self, tool: &Tool, material: &Material) -> Result<(Outline, f64)> {
+        in_range("force_kgf", self.force_kgf, 0.0, 100_000.0)?;
+        in_range("depth_mm", self.depth_mm, 0.0, 1000.0)?;
+        material.check()?;
+        let outline = tool.outline(self.orientation.check()?)?;
+        let loaded_mm = self.depth_law.depth_mm(&outline, self, material)?;
+        Ok((outline, loaded_mm))
+    }
+}
+
 /// A cross-section: points (x, z) in mm, x to the right of travel, z up, the untouched surface at z = 0.
 ///
 /// Where the force leaves no scratch, everything is 0 and all points lie at the origin.
@@ -39,11 +51,7 @@ impl CrossSection {
     /// Errors: a force, angle or property of the material out of its range; a tool leant onto its flank; a
     /// depth that the tool is too short for.
     pub fn form(tool: &Tool, process: &Process, material: &Material) -> Result<Self> {
-        in_range("force_kgf", process.force_kgf, 0.0, 100_000.0)?;
-        in_range("depth_mm", process.depth_mm, 0.0, 1000.0)?;
-        material.check()?;
-        let outline = tool.outline(process.orientation.check()?)?;
-        let loaded_mm = process.depth_law.depth_mm(&outline, process, material)?;
+        let (outline, loaded_mm) = process.press(tool, material)?;
         let groove = outline.cut(loaded_mm).recovered(material.elastic_recovery);
         let depth_mm = loaded_mm * (1.0 - material.elastic_recovery);
         let peaks = PileUp::of(&groove.measures, material);

@@ -16,7 +16,7 @@ pub(crate) const MOST_FACETS: usize = 28;
 /// the measure as it turns, so that points fall on it. Depth is then stretched so that the polygon holds
 /// the groove's own area.
 pub(crate) fn facet_points(cut: &Cut, count: usize) -> Vec<DVec2> {
-    let measured = Measured::new(&cut.points);
+    let measured = Measured::new(&cut.points, LENGTH_SHARE);
     let mut points: Vec<DVec2> = (0..=count)
         .map(|i| measured.at(i as f64 / count as f64))
         .collect();
@@ -62,14 +62,15 @@ fn slope_deviation_rad(cut: &Cut, facets: &[DVec2]) -> f64 {
 }
 
 /// A polyline with a running measure, in which each corner occupies an interval of its own.
-struct Measured<'a> {
+pub(super) struct Measured<'a> {
     points: &'a [DVec2],
     /// (measure when arriving at the point, measure when leaving it)
     spans: Vec<[f64; 2]>,
 }
 
 impl<'a> Measured<'a> {
-    fn new(points: &'a [DVec2]) -> Self {
+    /// `length_share` of the whole measure is length, the rest turning.
+    pub(super) fn new(points: &'a [DVec2], length_share: f64) -> Self {
         let steps: Vec<DVec2> = points.windows(2).map(|w| w[1] - w[0]).collect();
         let turns: Vec<f64> = steps
             .windows(2)
@@ -77,8 +78,8 @@ impl<'a> Measured<'a> {
             .collect();
         let length: f64 = steps.iter().map(|step| step.length()).sum();
         let turning: f64 = turns.iter().sum();
-        let per_length = if turning > 1e-9 { LENGTH_SHARE } else { 1.0 } / length.max(1e-300);
-        let per_turn = (1.0 - LENGTH_SHARE) / turning.max(1e-9);
+        let per_length = if turning > 1e-9 { length_share } else { 1.0 } / length.max(1e-300);
+        let per_turn = (1.0 - length_share) / turning.max(1e-9);
         let mut spans = Vec::with_capacity(points.len());
         let mut at = 0.0;
         for i in 0..points.len() {
@@ -93,7 +94,7 @@ impl<'a> Measured<'a> {
     }
 
     /// The point at a share of the whole measure, 0 to 1.
-    fn at(&self, share: f64) -> DVec2 {
+    pub(super) fn at(&self, share: f64) -> DVec2 {
         let Some(&[_, total]) = self.spans.last() else {
             return DVec2::ZERO;
         };

@@ -13,7 +13,8 @@ pub(crate) const MOST_IN_MESH: usize = 50_000_000;
 /// few of them, those where it turns over.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mesh {
-    vertices: Vec<DVec3>,
+    pub(super) vertices: Vec<DVec3>,
+    pub(super) triangles: Vec<[u32; 3]>,
     edges: Vec<Edge>,
 }
 
@@ -40,6 +41,7 @@ impl Mesh {
             MOST_IN_MESH as f64,
         )?;
         let (vertices, number) = welded("positions", vertices)?;
+        let mut welded_triangles = Vec::with_capacity(triangles.len());
         let mut sides = Vec::with_capacity(3 * triangles.len());
         for (i, triangle) in triangles.iter().enumerate() {
             let mut corners = [0; 3];
@@ -49,6 +51,7 @@ impl Mesh {
                     Error::number("", f64::from(index), accepted).within("triangles", i)
                 })?;
             }
+            welded_triangles.push(corners);
             let [a, b, c] = corners;
             for (from, to, opposite) in [(a, b, c), (b, c, a), (c, a, b)] {
                 if from != to {
@@ -70,6 +73,7 @@ impl Mesh {
         Self {
             edges: edges.collect(),
             vertices,
+            triangles: welded_triangles,
         }
         .on_its_tip()
     }
@@ -92,6 +96,7 @@ impl Mesh {
         Self {
             edges: edges.collect(),
             vertices,
+            triangles: Vec::new(),
         }
         .on_its_tip()
     }

@@ -4,9 +4,15 @@
 //! the material pushed out stands beside it in two peaks (Bosch et al. 2004, section 3).
 
 mod cross_section;
+#[cfg_attr(
+    not(test),
+    expect(dead_code, reason = "patterns do not place caps yet")
+)]
+mod end_cap;
 mod envelope;
 mod facets;
 mod hardness;
+mod imprint;
 mod material;
 mod mesh;
 mod orientation;

@@ -77,7 +77,7 @@ impl PileUp {
 
 impl Peak {
     /// A peak that holds half of `area_mm2`.
-    fn rising(flank_rad: f64, law: PileUpLaw, area_mm2: f64) -> Self {
+    pub(super) fn rising(flank_rad: f64, law: PileUpLaw, area_mm2: f64) -> Self {
         let tan_alpha = flank_rad.max(1e-9).min(STEEPEST_DEG.to_radians()).tan();
         let alpha_deg = tan_alpha.atan().to_degrees();
         let Some(tan_beta) = law.outer_slope(tan_alpha) else {

@@ -2,12 +2,13 @@
 //!
 //! Every tool stands with its tip at the origin and its axis along +z, lengths in mm.
 
+use super::imprint::Imprint;
 use super::mesh::Mesh;
 use super::orientation::Orientation;
 use super::outline::{Outline, Piece};
 use crate::error::{Error, Result, in_range};
 use core::f64::consts::{FRAC_PI_2, TAU};
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 use std::sync::Arc;
 
 /// A scratching tool.
@@ -245,6 +246,24 @@ impl Tool {
             )),
         }
     }
+
+    /// The tool's lower surface, standing still, in the frame that `turn` brings it to.
+    pub(super) fn imprint(&self, turn: DMat3) -> Imprint<'_> {
+        match &self.shape {
+            &Shape::SpheroCone {
+                half_angle_rad,
+                tip_radius_mm,
+                ..
+            } => Imprint::cone(turn * DVec3::Z, half_angle_rad, tip_radius_mm),
+            Shape::Hull(points) => {
+                Imprint::hull(points.iter().map(|&point| turn * point).collect())
+            }
+            Shape::Mesh(mesh) => {
+                let turned = mesh.vertices.iter().map(|&vertex| turn * vertex);
+                Imprint::mesh(turned.collect(), &mesh.triangles)
+            }
+        }
+    }
 }
 
 /// Half a circle's lower edge, in steps of 3 degrees, with upright sides above.
@@ -367,7 +386,7 @@ fn hull_outline(points: &[DVec3], orientation: Orientation) -> Result<Outline> {
 }
 
 /// The lower convex hull, left to right (Andrew 1979, monotone chain).
-fn lower_hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
+pub(super) fn lower_hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let turns_left =
         |a: DVec2, b: DVec2, c: DVec2| (b - a).perp_dot(c - a) > 1e-12 * (b - a).length();
