@@ -217,17 +217,39 @@ typedef enum StriaeDepthLaw {
 } StriaeDepthLaw;
 
 /**
- * Kinds of path.
+ * Kinds of path: what its points mean, and how many there must be.
  */
 typedef enum StriaeCurve {
   /**
-   * Straight lines from point to point, two points or more.
+   * Straight lines from point to point: two points or more. Closed (three or more), the last joins the first.
    */
   STRIAE_CURVE_POLYLINE = 0,
   /**
-   * Cubic Bezier curves, each starting where the last ends: 3 n + 1 points.
+   * Cubic Bezier curves, each starting where the last ends: 3 n + 1 points. Closed, the last one ends at the first
+   * point: 3 n points.
    */
   STRIAE_CURVE_CUBIC_BEZIER = 1,
+  /**
+   * A smooth curve through all points, two or more, closed three or more: the centripetal Catmull-Rom spline, which
+   * neither loops nor overshoots between unevenly spaced points. An open one sets out straight towards its
+   * second point, and arrives likewise. Points that repeat the one before count once.
+   */
+  STRIAE_CURVE_CATMULL_ROM = 2,
+  /**
+   * A uniform cubic B-spline, smooth to its curvature, led by its points and passing through none: four or more;
+   * open, n points give n - 3 curves and both ends lie inside. Closed it is periodic: three or more.
+   */
+  STRIAE_CURVE_B_SPLINE = 3,
+  /**
+   * A cubic B-spline with `knots`. Open: n points, four or more, and n + 4 knots, never descending; the curve runs
+   * from knots[3] to knots[n], clamped to its first and last point where these knots are there four times. (Programs
+   * that state n + 2 knots leave out the first and the last, which move nothing: repeat their neighbours.)
+   * Between the ends a knot may be there three times at most: three times is a corner. Closed it is periodic: n
+   * points, three or more, and n + 1 knots, from the first to its repetition one round later; of a periodic
+   * curve told as an open one, its first three points repeated at its end, leave out those three and the last
+   * six knots.
+   */
+  STRIAE_CURVE_NON_UNIFORM_B_SPLINE = 4,
 } StriaeCurve;
 
 /**
@@ -683,6 +705,18 @@ typedef struct StriaeScratch {
    * How many keys, 1 or more.
    */
   size_t key_count;
+  /**
+   * 1: the path ends where it begins; 0: it has two ends.
+   */
+  uint32_t closed;
+  /**
+   * Knots of a STRIAE_CURVE_NON_UNIFORM_B_SPLINE, -1e9 to 1e9; NULL for other curves.
+   */
+  const double *knots;
+  /**
+   * How many knots; 0 for other curves.
+   */
+  size_t knot_count;
 } StriaeScratch;
 
 /**

@@ -8,16 +8,32 @@ use super::status::{StriaeStatus, check_struct_size, guard};
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
 use crate::formation::Orientation;
-use crate::pattern::{Held, Key, Path, Pattern, PatternBuilder, Scratch};
+use crate::pattern::{Held, Key, Path, Pattern, PatternBuilder, Scratch, Spline, SplineKind};
 
-/// Kinds of path.
+/// Kinds of path: what its points mean, and how many there must be.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub enum StriaeCurve {
-    /// Straight lines from point to point, two points or more.
+    /// Straight lines from point to point: two points or more. Closed (three or more), the last joins the first.
     Polyline = 0,
-    /// Cubic Bezier curves, each starting where the last ends: 3 n + 1 points.
+    /// Cubic Bezier curves, each starting where the last ends: 3 n + 1 points. Closed, the last one ends at the first
+    /// point: 3 n points.
     CubicBezier = 1,
+    /// A smooth curve through all points, two or more, closed three or more: the centripetal Catmull-Rom spline, which
+    /// neither loops nor overshoots between unevenly spaced points. An open one sets out straight towards its
+    /// second point, and arrives likewise. Points that repeat the one before count once.
+    CatmullRom = 2,
+    /// A uniform cubic B-spline, smooth to its curvature, led by its points and passing through none: four or more;
+    /// open, n points give n - 3 curves and both ends lie inside. Closed it is periodic: three or more.
+    BSpline = 3,
+    /// A cubic B-spline with `knots`. Open: n points, four or more, and n + 4 knots, never descending; the curve runs
+    /// from knots[3] to knots[n], clamped to its first and last point where these knots are there four times. (Programs
+    /// that state n + 2 knots leave out the first and the last, which move nothing: repeat their neighbours.)
+    /// Between the ends a knot may be there three times at most: three times is a corner. Closed it is periodic: n
+    /// points, three or more, and n + 1 knots, from the first to its repetition one round later; of a periodic
+    /// curve told as an open one, its first three points repeated at its end, leave out those three and the last
+    /// six knots.
+    NonUniformBSpline = 4,
 }
 
 /// What a scratch's spin and azimuth are relative to.
@@ -73,6 +89,12 @@ pub struct StriaeScratch {
     pub keys: *const StriaeKey,
     /// How many keys, 1 or more.
     pub key_count: usize,
+    /// 1: the path ends where it begins; 0: it has two ends.
+    pub closed: u32,
+    /// Knots of a STRIAE_CURVE_NON_UNIFORM_B_SPLINE, -1e9 to 1e9; NULL for other curves.
+    pub knots: *const f64,
+    /// How many knots; 0 for other curves.
+    pub knot_count: usize,
 }
 
 /// Scale of a pattern. Set struct_size to sizeof(StriaePatternOptions).
@@ -139,17 +161,18 @@ impl StriaeScratch {
         };
         // SAFETY: as promised by the caller.
         let material = unsafe { self.material.as_ref().map(|m| m.checked()).transpose()? };
-        let path = match self.curve {
-            0 => Path::Polyline(points),
-            1 => Path::CubicBezier(points),
-            other => {
-                return Err(Error::number(
-                    "curve",
-                    f64::from(other),
-                    "a StriaeCurve, 0 to 1",
-                ));
-            }
+        // SAFETY: as promised by the caller.
+        let kind = unsafe { self.kind()? };
+        let closed = match self.closed {
+            0 => false,
+            1 => true,
+            other => return Err(Error::number("closed", f64::from(other), "0 or 1")),
         };
+        let path = Path::Spline(Spline {
+            kind,
+            points,
+            closed,
+        });
         let held = match self.held {
             0 => Held::ToPath,
             1 => Held::ToSurface,
@@ -170,6 +193,29 @@ impl StriaeScratch {
             path,
             keys: &keys,
         })
+    }
+
+    /// # Safety
+    /// `knots` is NULL or valid for `knot_count`.
+    unsafe fn kind(&self) -> Result<SplineKind<'_>> {
+        // SAFETY: as promised by the caller.
+        let knots = unsafe { array(["knots", "knot_count"], self.knots, self.knot_count)? };
+        let kind = match self.curve {
+            0 => SplineKind::Polyline,
+            1 => SplineKind::CubicBezier,
+            2 => SplineKind::CatmullRom,
+            3 => SplineKind::BSpline,
+            4 => return Ok(SplineKind::NonUniformBSpline { knots }),
+            other => {
+                let accepted = "a StriaeCurve, 0 to 4";
+                return Err(Error::number("curve", f64::from(other), accepted));
+            }
+        };
+        if knots.is_empty() {
+            return Ok(kind);
+        }
+        let accepted = "0 unless the curve is STRIAE_CURVE_NON_UNIFORM_B_SPLINE";
+        Err(Error::count("knot_count", knots.len(), accepted))
     }
 }
 

@@ -14,6 +14,7 @@ mod point;
 mod query;
 mod region;
 mod scratch;
+mod spline;
 mod track;
 
 pub use builder::{Pattern, PatternBuilder};
@@ -23,4 +24,5 @@ pub use point::{Footprint, Frame, SurfacePoint};
 pub(crate) use query::Hit;
 pub(crate) use region::Region;
 pub use scratch::{Held, Key, Scratch};
+pub use spline::{Spline, SplineKind};
 pub(crate) use track::{Finishes, MOST_VERTICES, Track};
