@@ -5,6 +5,7 @@ use super::handle::{array, borrowed, exclusive, make_shared, release, retain};
 use super::hardness::StriaeHardnessMap;
 use super::material::StriaeMaterial;
 use super::status::{StriaeStatus, check_struct_size, guard};
+use super::surface::StriaeSurface;
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
 use crate::formation::Orientation;
@@ -80,7 +81,7 @@ pub struct StriaeScratch {
     pub depth_law: u32,
     /// A StriaeHeld.
     pub held: u32,
-    /// The path's points in texture space, (u, v) each.
+    /// The path's points in texture space, (u, v) each; NULL with a surface.
     pub points_uv: *const [f64; 2],
     /// How many points.
     pub point_count: usize,
@@ -95,6 +96,14 @@ pub struct StriaeScratch {
     pub knots: *const f64,
     /// How many knots; 0 for other curves.
     pub knot_count: usize,
+    /// NULL: the path is `points_uv`. Otherwise the mesh that it is drawn on: `points_xyz`, in space near the
+    /// mesh, as in a modeller. The path is the curve's closest points on the mesh, its arc length that on the mesh;
+    /// it goes on where texture space has a seam or passes to another chart, mirrored or not. Where it leaves an
+    /// open mesh by more than a tenth of a triangle there is no path; arc length goes on where it comes back. Where
+    /// the closest point leaps, the path runs straight across the mesh.
+    pub surface: *const StriaeSurface,
+    /// The path's points in the mesh's own coordinates, point_count of them; NULL without a surface.
+    pub points_xyz: *const [f64; 3],
 }
 
 /// Scale of a pattern. Set struct_size to sizeof(StriaePatternOptions).
@@ -148,31 +157,15 @@ impl StriaeScratch {
     unsafe fn add_to(&self, builder: &mut PatternBuilder) -> Result<()> {
         check_struct_size(self.struct_size, size_of::<Self>(), "sizeof(StriaeScratch)")?;
         // SAFETY: as promised by the caller.
-        let (tool, points, keys) = unsafe {
+        let (tool, path, keys) = unsafe {
             (
                 borrowed("tool", self.tool)?,
-                array(
-                    ["points_uv", "point_count"],
-                    self.points_uv,
-                    self.point_count,
-                )?,
+                self.path()?,
                 array(["keys", "key_count"], self.keys, self.key_count)?,
             )
         };
         // SAFETY: as promised by the caller.
         let material = unsafe { self.material.as_ref().map(|m| m.checked()).transpose()? };
-        // SAFETY: as promised by the caller.
-        let kind = unsafe { self.kind()? };
-        let closed = match self.closed {
-            0 => false,
-            1 => true,
-            other => return Err(Error::number("closed", f64::from(other), "0 or 1")),
-        };
-        let path = Path::Spline(Spline {
-            kind,
-            points,
-            closed,
-        });
         let held = match self.held {
             0 => Held::ToPath,
             1 => Held::ToSurface,
@@ -192,6 +185,39 @@ impl StriaeScratch {
             held,
             path,
             keys: &keys,
+        })
+    }
+
+    /// # Safety
+    /// The pointers are NULL or valid for what they count.
+    unsafe fn path(&self) -> Result<Path<'_>> {
+        // SAFETY: as promised by the caller.
+        let (kind, surface) = unsafe { (self.kind()?, self.surface.as_ref()) };
+        let closed = match self.closed {
+            0 => false,
+            1 => true,
+            other => return Err(Error::number("closed", f64::from(other), "0 or 1")),
+        };
+        let Some(surface) = surface else {
+            let names = ["points_uv", "point_count"];
+            // SAFETY: as promised by the caller.
+            let points = unsafe { array(names, self.points_uv, self.point_count)? };
+            return Ok(Path::Spline(Spline {
+                kind,
+                points,
+                closed,
+            }));
+        };
+        let names = ["points_xyz", "point_count"];
+        // SAFETY: as promised by the caller.
+        let points = unsafe { array(names, self.points_xyz, self.point_count)? };
+        Ok(Path::OnSurface {
+            surface: &surface.0,
+            spline: Spline {
+                kind,
+                points,
+                closed,
+            },
         })
     }
 

@@ -15,14 +15,16 @@ mod query;
 mod region;
 mod scratch;
 mod spline;
+mod surface;
 mod track;
 
 pub use builder::{Pattern, PatternBuilder};
-pub use path::Path;
+pub use path::{Curve, Path};
 pub(crate) use point::Metric;
 pub use point::{Footprint, Frame, SurfacePoint};
 pub(crate) use query::Hit;
 pub(crate) use region::Region;
 pub use scratch::{Held, Key, Scratch};
 pub use spline::{Spline, SplineKind};
+pub use surface::Surface;
 pub(crate) use track::{Finishes, MOST_VERTICES, Track};

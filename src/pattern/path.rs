@@ -1,6 +1,7 @@
 //! A scratch's path in texture space, as its author states it, and the cubic curves it comes to.
 
 use super::spline::{Spline, SplineKind};
+use super::surface::{self, Surface};
 use crate::error::{Error, Result};
 use glam::DVec2;
 use kurbo::{CubicBez, ParamCurveArclen, Point};
@@ -16,11 +17,22 @@ pub enum Path<'a> {
     CubicBezier(&'a [[f64; 2]]),
     /// A curve of any kind in texture space, open or closed.
     Spline(Spline<'a, 2>),
+    /// A curve drawn in space near a mesh, as in a modeller: its closest points on the mesh, carried into texture
+    /// space. Its arc length is that on the mesh, and goes on where the path passes over a seam of texture
+    /// space or from one chart to another, mirrored or not: left and right of travel stay what they are on the
+    /// mesh. Where it leaves an open mesh by more than a tenth of a triangle there is no path; arc length
+    /// goes on where it comes back. Where the closest point leaps, the path runs straight across the mesh.
+    OnSurface {
+        /// The mesh.
+        surface: &'a Surface,
+        /// The curve, in the mesh's own coordinates.
+        spline: Spline<'a, 3>,
+    },
 }
 
 /// One cubic Bézier curve of a path.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Curve {
+pub struct Curve {
     /// Control points, (u, v).
     pub control: [DVec2; 4],
     /// Arc length, scene units, above 0.
@@ -33,13 +45,20 @@ pub(crate) struct Curve {
 const ARC_LENGTH_ACCURACY: f64 = 1e-6;
 
 impl Path<'_> {
-    /// The path's curves in order, checked; those of no length are left out. `units_per_uv` scales texture space
-    /// for arc length.
-    pub(crate) fn curves(self, units_per_uv: DVec2) -> Result<Vec<Curve>> {
+    /// The path's curves in texture space in order, checked, as a pattern has them; those of no length are left out.
+    /// `units_per_uv` (above 0) says how many scene units one unit of u and of v spans, for arc length of paths that
+    /// are stated in texture space.
+    ///
+    /// Errors: too few or too many points for the kind, values out of range, bad knots, no length.
+    pub fn curves(self, units_per_uv: DVec2) -> Result<Vec<Curve>> {
         let spline = match self {
             Self::Polyline(points) => Spline::open(SplineKind::Polyline, points),
             Self::CubicBezier(points) => Spline::open(SplineKind::CubicBezier, points),
             Self::Spline(spline) => spline,
+            Self::OnSurface { surface, spline } => {
+                let (runs, smooth) = surface::trace(surface, &spline)?;
+                return Ok(surface::curves(surface, &runs, smooth, units_per_uv));
+            }
         };
         let cubics = spline.cubics("points_uv", units_per_uv.to_array())?;
         let measured = cubics.into_iter().map(|cubic| {
