@@ -374,6 +374,12 @@ typedef struct StriaePattern StriaePattern;
 typedef struct StriaePatternBuilder StriaePatternBuilder;
 
 /**
+ * A triangle mesh with texture coordinates, for paths that are drawn on it. Immutable; any thread may use it;
+ * reference-counted.
+ */
+typedef struct StriaeSurface StriaeSurface;
+
+/**
  * A scratching tool. Immutable; any thread may use it; reference-counted.
  */
 typedef struct StriaeTool StriaeTool;
@@ -689,7 +695,7 @@ typedef struct StriaeScratch {
    */
   uint32_t held;
   /**
-   * The path's points in texture space, (u, v) each.
+   * The path's points in texture space, (u, v) each; NULL with a surface.
    */
   const double (*points_uv)[2];
   /**
@@ -717,6 +723,18 @@ typedef struct StriaeScratch {
    * How many knots; 0 for other curves.
    */
   size_t knot_count;
+  /**
+   * NULL: the path is `points_uv`. Otherwise the mesh that it is drawn on: `points_xyz`, in space near the
+   * mesh, as in a modeller. The path is the curve's closest points on the mesh, its arc length that on the mesh;
+   * it goes on where texture space has a seam or passes to another chart, mirrored or not. Where it leaves an
+   * open mesh by more than a tenth of a triangle there is no path; arc length goes on where it comes back. Where
+   * the closest point leaps, the path runs straight across the mesh.
+   */
+  const struct StriaeSurface *surface;
+  /**
+   * The path's points in the mesh's own coordinates, point_count of them; NULL without a surface.
+   */
+  const double (*points_xyz)[3];
 } StriaeScratch;
 
 /**
@@ -1101,6 +1119,35 @@ void striae_hardness_map_retain(const struct StriaeHardnessMap *map);
  * Drops a reference; the last one frees the map. NULL is fine.
  */
 void striae_hardness_map_release(const struct StriaeHardnessMap *map);
+
+/**
+ * Makes a surface of a triangle mesh. Where texture space has a seam the vertices are there twice, as renderers have
+ * them: those at exactly the same position count as one place of the surface. Either winding will do, also a
+ * mixture; charts may be mirrored. Triangles without area, in space or in texture space, are left out.
+ *
+ * @param positions vertex_count positions, scene units, each coordinate -1e7 to 1e7
+ * @param uv vertex_count texture coordinates, -1e9 to 1e9
+ * @param vertex_count how many vertices
+ * @param triangles triangle_count times three vertex indices
+ * @param triangle_count how many triangles; one or more must have area
+ * @param surface receives a handle to release with striae_surface_release(); NULL on failure
+ */
+enum StriaeStatus striae_surface_new(const double (*positions)[3],
+                                     const double (*uv)[2],
+                                     size_t vertex_count,
+                                     const uint32_t (*triangles)[3],
+                                     size_t triangle_count,
+                                     struct StriaeSurface **surface);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_surface_retain(const struct StriaeSurface *surface);
+
+/**
+ * Drops a reference; the last one frees the surface. NULL is fine.
+ */
+void striae_surface_release(const struct StriaeSurface *surface);
 
 /**
  * Begins a pattern on an unscratched surface.

@@ -9,7 +9,8 @@ use super::trace::{Run, Sample};
 use crate::pattern::path::Curve;
 use glam::{DMat4, DVec2, DVec4};
 
-/// Samples on either side that a derivative is taken from: a triangle and a half.
+/// Samples on either side that a derivative is taken from: a triangle and a half, fewer where that turns sharply.
+const REACHES: [usize; 3] = [REACH, 3, 1];
 const REACH: usize = 6;
 /// Cubics may stray from exact samples by this share of the path's length.
 const ACCURACY: f64 = 1e-5;
@@ -103,12 +104,15 @@ impl<'a> Fit<'a> {
         let samples = &self.all[self.own[0] + i..=self.own[0] + j];
         let length = samples[j - i].s - samples[0].s;
         if j - i < 2 || self.fits(samples, from, to) {
-            let control = [
-                from.0,
-                from.0 + from.1 * (length / 3.0),
-                to.0 - to.1 * (length / 3.0),
-                to.0,
-            ];
+            let chord = to.0 - from.0;
+            let leg = |slope: DVec2| {
+                if self.swings(chord, slope * length) {
+                    chord / 3.0
+                } else {
+                    slope * (length / 3.0)
+                }
+            };
+            let control = [from.0, from.0 + leg(from.1), to.0 - leg(to.1), to.0];
             if length > 0.0 {
                 curves.push(Curve {
                     control,
@@ -130,6 +134,10 @@ impl<'a> Fit<'a> {
         }
         let start = samples[0].s;
         let length = samples[samples.len() - 1].s - start;
+        let chord = to.0 - from.0;
+        if self.swings(chord, from.1 * length) || self.swings(chord, to.1 * length) {
+            return false;
+        }
         samples.iter().all(|sample| {
             let t = (sample.s - start) / length;
             let (r, t2, t3) = (1.0 - t, t * t, t * t * t);
@@ -138,29 +146,62 @@ impl<'a> Fit<'a> {
                 - to.1 * (length * t2 * r);
             let triangle = self.surface.triangle(sample.triangle);
             let stray = triangle.in_space(uv - sample.uv).length();
-            stray <= self.accuracy.max(triangle.slack)
+            stray <= self.allowed(sample)
         })
     }
 
-    /// Value and derivative at sample i of the run, from the cubic through its neighbourhood with the least squares.
+    /// Value and derivative at sample i of the run, from the widest neighbourhood that one cubic describes.
     fn knot(&self, i: usize) -> Knot {
         let i = self.own[0] + i;
-        let window = i.saturating_sub(REACH)..(i + REACH + 1).min(self.all.len());
-        let samples = &self.all[window];
         let here = self.all[i];
-        let reach = samples
-            .iter()
-            .map(|sample| (sample.s - here.s).abs())
-            .fold(0.0, f64::max);
+        let mut knot = (here.uv, DVec2::ZERO);
+        for reach in REACHES {
+            let window = i.saturating_sub(reach)..(i + reach + 1).min(self.all.len());
+            let (found, stray) = self.regression(&self.all[window], &here);
+            knot = found;
+            if stray <= 1.0 {
+                break;
+            }
+        }
+        let is_end = [i == self.own[0], i + 1 == self.own[0] + self.own[1]];
+        if (is_end[0] && self.pinned[0]) || (is_end[1] && self.pinned[1]) {
+            knot.0 = here.uv;
+        }
+        knot
+    }
+
+    /// Whether a curve that sets out at this velocity would swing far out on its way along the chord: at a
+    /// pole, say, where texture space tears.
+    fn swings(&self, chord: DVec2, velocity: DVec2) -> bool {
+        let [chord, velocity] = [chord, velocity].map(|v| (v * self.units_per_uv).length());
+        velocity > 3.0 * chord
+    }
+
+    /// How far a sample may be from the curve, scene units.
+    fn allowed(&self, sample: &Sample) -> f64 {
+        let triangle = self.surface.triangle(sample.triangle);
+        self.accuracy.max(triangle.slack)
+    }
+
+    /// The cubic with the least squares: its value and derivative here, and how far it strays from the samples, in units
+    /// of what is allowed.
+    fn regression(&self, samples: &[Sample], here: &Sample) -> (Knot, f64) {
+        let away = |sample: &Sample| sample.s - here.s;
+        let reach = samples.iter().map(|s| away(s).abs()).fold(0.0, f64::max);
         let degree = (samples.len() - 1).min(3);
+        let powers = |sample: &Sample| {
+            let x = away(sample) / reach;
+            let all = DVec4::new(1.0, x, x * x, x * x * x);
+            DVec4::from_array(std::array::from_fn(
+                |k| {
+                    if k <= degree { all[k] } else { 0.0 }
+                },
+            ))
+        };
         let mut normal = DMat4::ZERO;
         let (mut u, mut v) = (DVec4::ZERO, DVec4::ZERO);
         for sample in samples {
-            let x = (sample.s - here.s) / reach;
-            let mut powers = DVec4::new(1.0, x, x * x, x * x * x);
-            for k in degree + 1..4 {
-                powers[k] = 0.0;
-            }
+            let powers = powers(sample);
             for k in 0..4 {
                 *normal.col_mut(k) += powers * powers[k];
             }
@@ -173,13 +214,15 @@ impl<'a> Fit<'a> {
         }
         let solve = normal.inverse();
         let (u, v) = (solve * u, solve * v);
-        let is_end = [i == self.own[0], i + 1 == self.own[0] + self.own[1]];
-        let exact = (is_end[0] && self.pinned[0]) || (is_end[1] && self.pinned[1]);
-        let value = if exact {
-            here.uv
-        } else {
-            here.uv + DVec2::new(u.x, v.x)
+        let stray = |sample: &Sample| {
+            let powers = powers(sample);
+            let found = DVec2::new(powers.dot(u), powers.dot(v));
+            let triangle = self.surface.triangle(sample.triangle);
+            let off = triangle.in_space(found - (sample.uv - here.uv));
+            off.length() / self.allowed(sample)
         };
-        (value, DVec2::new(u.y, v.y) / reach)
+        let value = here.uv + DVec2::new(u.x, v.x);
+        let knot = (value, DVec2::new(u.y, v.y) / reach);
+        (knot, samples.iter().map(stray).fold(0.0, f64::max))
     }
 }

@@ -69,6 +69,10 @@ enum Joint {
 /// Neighbours that turn or stretch by more than this (radians, or share of length) meet at a crease.
 const CREASE: f64 = 0.6;
 
+/// Half the sagitta of an arc that turns by 1 from one triangle's middle to the next is 1 / 16 of its length: so far a
+/// path may stray for smoothness. Neighbours that turn by more than this leave no more freedom.
+const MOST_BEND: f64 = 0.3;
+
 impl Surface {
     /// A mesh of vertices with a position (scene units, -1e7 to 1e7) and a (u, v) (-1e9 to 1e9) each. Where
     /// texture space has a seam the vertices are there twice, as renderers have them: those at exactly the same
@@ -235,9 +239,12 @@ fn join_two(triangles: &mut [Triangle], ends: [u32; 2], a: (u32, usize), b: (u32
     } else {
         Joint::Smooth
     };
-    // The sagitta of an arc that turns so much from one triangle's middle to the other's.
     let smooth = if joint == Joint::Smooth { bend } else { turn };
-    let slack = if smooth > CREASE { 0.0 } else { smooth / 8.0 };
+    let slack = if smooth > CREASE {
+        0.0
+    } else {
+        smooth.min(MOST_BEND) / 16.0
+    };
     for ((index, k), (other, _)) in [(a, b), (b, a)] {
         let triangle = &mut triangles[index as usize];
         triangle.sides[k] = Side::Next(other, joint);

@@ -110,6 +110,21 @@ impl Surface {
         }
     }
 
+    /// The same place as a point of `triangle`, if it is one.
+    pub(super) fn seen_from(&self, triangle: u32, spot: &Spot) -> Spot {
+        let Triangle { corners, uv, .. } = self.triangle(triangle);
+        let weights = weights(corners, spot.point);
+        let moved = at(corners, weights).distance(spot.point);
+        if triangle == spot.triangle || moved > 1e-9 * self.size {
+            return *spot;
+        }
+        Spot {
+            triangle,
+            uv: uv[0] * weights[0] + uv[1] * weights[1] + uv[2] * weights[2],
+            ..*spot
+        }
+    }
+
     /// The point of a triangle that is closest to `point`.
     pub(super) fn closest_in(&self, triangle: u32, point: DVec3) -> DVec3 {
         let corners = &self.triangle(triangle).corners;

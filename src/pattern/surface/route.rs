@@ -52,19 +52,21 @@ impl Surface {
         Some(Route { crossings, length })
     }
 
-    /// The one crossing between neighbours.
+    /// The one crossing between neighbours, on the shortest way.
     fn step_across(&self, a: &Spot, b: &Spot) -> Option<Vec<Crossing>> {
         let triangle = self.triangle(a.triangle);
         let leads = |side: &Side| matches!(side, Side::Next(next, _) if *next == b.triangle);
         let k = triangle.sides.iter().position(leads)?;
         let [from, to] = triangle.side(k).map(|k| triangle.corners[k]);
-        let across = self.upright(a, b);
-        let (before, after) = (across.dot(from - a.point), across.dot(to - a.point));
-        let share = if (before - after).abs() > 1e-9 * from.distance(to) {
-            before / (before - after)
+        // Unfolded around their common side the way is a straight line.
+        let side = (to - from) / (to - from).length_squared();
+        let [i, j] = [a, b].map(|spot| side.dot(spot.point - from));
+        let off = |spot: &Spot, share: f64| spot.point.distance(from.lerp(to, share));
+        let (before, after) = (off(a, i), off(b, j));
+        let share = if before + after > 0.0 {
+            (i * after + j * before) / (before + after)
         } else {
-            let middle = 0.5 * (a.point + b.point);
-            (middle - from).dot(to - from) / (to - from).length_squared()
+            j
         };
         self.crossing(triangle, k, share).map(|c| vec![c])
     }

@@ -32,6 +32,11 @@ const STEP_TURN_RAD: f64 = 0.02;
 const MOST_SAMPLES: f64 = 20_000.0;
 /// A path that strays no further beyond the border, in units of a triangle's size, follows it.
 const ALONG_BORDER: f64 = 0.1;
+/// Between two samples the projection strays no further from a straight line, in units of the mean triangle's size, where
+/// that is more than the mesh itself leaves open: at a sharp edge it may turn where the drawn curve does not.
+const STRAY: f64 = 1e-3;
+/// A step is halved no more often for that.
+const MOST_HALVINGS: u32 = 7;
 /// Where the drawn curve turns by more than this between two of its cubics it has a corner, radians.
 const CORNER_RAD: f64 = 1e-3;
 
@@ -171,9 +176,10 @@ impl Tracer<'_> {
     /// Follows the projection from step to step.
     fn follow(&mut self, stretch: &[Step]) {
         self.begin(stretch[0].1, stretch[0].1.uv, false);
-        for pair in stretch.windows(2) {
-            self.advance(pair[0], pair[1]);
-            let (t, spot) = pair[1];
+        let mut last = stretch[0];
+        for &step in &stretch[1..] {
+            last = self.refine(last, step, MOST_HALVINGS);
+            let (t, spot) = last;
             let (i, share) = self.locate(t);
             if share == 0.0 && i > 0 && corner(&self.cubics[i - 1], &self.cubics[i]) {
                 self.begin(spot, spot.uv, true);
@@ -208,6 +214,26 @@ impl Tracer<'_> {
                 samples[last] = sample;
             }
         }
+    }
+
+    /// From one step to the next, by halves while the projection bends between them. Returns the step as it was
+    /// taken: a place on an edge stays with the triangle that it was reached in.
+    fn refine(&mut self, from: Step, to: Step, halvings: u32) -> Step {
+        let t = 0.5 * (from.0 + to.0);
+        if let (true, Some(spot)) = (halvings > 0, self.surface.project(self.at(t))) {
+            let middle = 0.5 * (from.1.point + to.1.point);
+            let slack = |step: &Step| self.surface.triangle(step.1.triangle).slack;
+            let allowed = (STRAY * self.surface.size)
+                .max(slack(&from))
+                .max(slack(&to));
+            if spot.point.distance(middle) > allowed {
+                let half = self.refine(from, (t, spot), halvings - 1);
+                return self.refine(half, to, halvings - 1);
+            }
+        }
+        let to = (to.0, self.surface.seen_from(from.1.triangle, &to.1));
+        self.advance(from, to);
+        to
     }
 
     /// From one step to the next, looking closer until all that is between is smooth or known to the digit.
