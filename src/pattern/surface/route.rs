@@ -33,15 +33,15 @@ impl Route {
 }
 
 impl Surface {
-    /// The straight way from `a` to `b`: the mesh cut by the plane through both that stands on it; around a
-    /// common corner where they coincide. `None` where no such way is.
+    /// The straight way from `a` to `b`: around their common corner where they coincide, elsewhere the mesh cut by
+    /// the plane through both that stands on it. `None` where no such way is.
     pub(super) fn route(&self, a: &Spot, b: &Spot) -> Option<Route> {
         let crossings = if a.triangle == b.triangle {
             Vec::new()
         } else {
             let next = self.step_across(a, b);
-            next.or_else(|| self.cut(a, b))
-                .or_else(|| self.around(a, b))?
+            next.or_else(|| self.around(a, b))
+                .or_else(|| self.cut(a, b))?
         };
         let (mut length, mut last) = (0.0, a.point);
         for crossing in &crossings {
