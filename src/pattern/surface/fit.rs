@@ -158,10 +158,12 @@ impl<'a> Fit<'a> {
         for reach in REACHES {
             let window = i.saturating_sub(reach)..(i + reach + 1).min(self.all.len());
             let (found, stray) = self.regression(&self.all[window], &here);
-            knot = found;
             if stray <= 1.0 {
+                knot = found;
                 break;
             }
+            // Nothing describes it: the path turns sharply just here.
+            knot = (here.uv, found.1);
         }
         let is_end = [i == self.own[0], i + 1 == self.own[0] + self.own[1]];
         if (is_end[0] && self.pinned[0]) || (is_end[1] && self.pinned[1]) {
@@ -174,7 +176,7 @@ impl<'a> Fit<'a> {
     /// pole, say, where texture space tears.
     fn swings(&self, chord: DVec2, velocity: DVec2) -> bool {
         let [chord, velocity] = [chord, velocity].map(|v| (v * self.units_per_uv).length());
-        velocity > 3.0 * chord
+        velocity.is_nan() || velocity > 3.0 * chord
     }
 
     /// How far a sample may be from the curve, scene units.
@@ -223,6 +225,10 @@ impl<'a> Fit<'a> {
         };
         let value = here.uv + DVec2::new(u.x, v.x);
         let knot = (value, DVec2::new(u.y, v.y) / reach);
-        (knot, samples.iter().map(stray).fold(0.0, f64::max))
+        let worst = samples
+            .iter()
+            .map(stray)
+            .fold(0.0, |a: f64, b| if b <= a { a } else { b });
+        (knot, worst)
     }
 }

@@ -65,7 +65,13 @@ pub(crate) fn trace(surface: &Surface, spline: &Spline<'_, 3>) -> Result<(Vec<Ru
     }
     let closes = spline.closed && whole;
     let mut runs = tracer.runs;
-    runs.retain(|run| run.samples.len() > 1);
+    // A run of one place has no length; the next joins what was before it if both do.
+    let mut joins = true;
+    runs.retain_mut(|run| {
+        run.joins &= joins;
+        joins = run.samples.len() > 1 || run.joins;
+        run.samples.len() > 1
+    });
     let (Some(first), Some(last)) = (runs.first(), runs.last()) else {
         let accepted = "a path of which some length is over the surface";
         return Err(Error::text("points_xyz", "off the surface", accepted));
