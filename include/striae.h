@@ -217,17 +217,39 @@ typedef enum StriaeDepthLaw {
 } StriaeDepthLaw;
 
 /**
- * Kinds of path.
+ * Kinds of path: what its points mean, and how many there must be.
  */
 typedef enum StriaeCurve {
   /**
-   * Straight lines from point to point, two points or more.
+   * Straight lines from point to point: two points or more. Closed (three or more), the last joins the first.
    */
   STRIAE_CURVE_POLYLINE = 0,
   /**
-   * Cubic Bezier curves, each starting where the last ends: 3 n + 1 points.
+   * Cubic Bezier curves, each starting where the last ends: 3 n + 1 points. Closed, the last one ends at the first
+   * point: 3 n points.
    */
   STRIAE_CURVE_CUBIC_BEZIER = 1,
+  /**
+   * A smooth curve through all points, two or more, closed three or more: the centripetal Catmull-Rom spline, which
+   * neither loops nor overshoots between unevenly spaced points. An open one sets out straight towards its
+   * second point, and arrives likewise. Points that repeat the one before count once.
+   */
+  STRIAE_CURVE_CATMULL_ROM = 2,
+  /**
+   * A uniform cubic B-spline, smooth to its curvature, led by its points and passing through none: four or more;
+   * open, n points give n - 3 curves and both ends lie inside. Closed it is periodic: three or more.
+   */
+  STRIAE_CURVE_B_SPLINE = 3,
+  /**
+   * A cubic B-spline with `knots`. Open: n points, four or more, and n + 4 knots, never descending; the curve runs
+   * from knots[3] to knots[n], clamped to its first and last point where these knots are there four times. (Programs
+   * that state n + 2 knots leave out the first and the last, which move nothing: repeat their neighbours.)
+   * Between the ends a knot may be there three times at most: three times is a corner. Closed it is periodic: n
+   * points, three or more, and n + 1 knots, from the first to its repetition one round later; of a periodic
+   * curve told as an open one, its first three points repeated at its end, leave out those three and the last
+   * six knots.
+   */
+  STRIAE_CURVE_NON_UNIFORM_B_SPLINE = 4,
 } StriaeCurve;
 
 /**
@@ -350,6 +372,12 @@ typedef struct StriaePattern StriaePattern;
  * Collects scratches. One thread at a time.
  */
 typedef struct StriaePatternBuilder StriaePatternBuilder;
+
+/**
+ * A triangle mesh with texture coordinates, for paths that are drawn on it. Immutable; any thread may use it;
+ * reference-counted.
+ */
+typedef struct StriaeSurface StriaeSurface;
 
 /**
  * A scratching tool. Immutable; any thread may use it; reference-counted.
@@ -667,7 +695,7 @@ typedef struct StriaeScratch {
    */
   uint32_t held;
   /**
-   * The path's points in texture space, (u, v) each.
+   * The path's points in texture space, (u, v) each; NULL with a surface.
    */
   const double (*points_uv)[2];
   /**
@@ -683,6 +711,30 @@ typedef struct StriaeScratch {
    * How many keys, 1 or more.
    */
   size_t key_count;
+  /**
+   * 1: the path ends where it begins; 0: it has two ends.
+   */
+  uint32_t closed;
+  /**
+   * Knots of a STRIAE_CURVE_NON_UNIFORM_B_SPLINE, -1e9 to 1e9; NULL for other curves.
+   */
+  const double *knots;
+  /**
+   * How many knots; 0 for other curves.
+   */
+  size_t knot_count;
+  /**
+   * NULL: the path is `points_uv`. Otherwise the mesh that it is drawn on: `points_xyz`, in space near the
+   * mesh, as in a modeller. The path is the curve's closest points on the mesh, its arc length that on the mesh;
+   * it goes on where texture space has a seam or passes to another chart, mirrored or not. Where it leaves an
+   * open mesh by more than a tenth of a triangle there is no path; arc length goes on where it comes back. Where
+   * the closest point leaps, the path runs straight across the mesh.
+   */
+  const struct StriaeSurface *surface;
+  /**
+   * The path's points in the mesh's own coordinates, point_count of them; NULL without a surface.
+   */
+  const double (*points_xyz)[3];
 } StriaeScratch;
 
 /**
@@ -1067,6 +1119,35 @@ void striae_hardness_map_retain(const struct StriaeHardnessMap *map);
  * Drops a reference; the last one frees the map. NULL is fine.
  */
 void striae_hardness_map_release(const struct StriaeHardnessMap *map);
+
+/**
+ * Makes a surface of a triangle mesh. Where texture space has a seam the vertices are there twice, as renderers have
+ * them: those at exactly the same position count as one place of the surface. Either winding will do, also a
+ * mixture; charts may be mirrored. Triangles without area, in space or in texture space, are left out.
+ *
+ * @param positions vertex_count positions, scene units, each coordinate -1e7 to 1e7
+ * @param uv vertex_count texture coordinates, -1e9 to 1e9
+ * @param vertex_count how many vertices
+ * @param triangles triangle_count times three vertex indices
+ * @param triangle_count how many triangles; one or more must have area
+ * @param surface receives a handle to release with striae_surface_release(); NULL on failure
+ */
+enum StriaeStatus striae_surface_new(const double (*positions)[3],
+                                     const double (*uv)[2],
+                                     size_t vertex_count,
+                                     const uint32_t (*triangles)[3],
+                                     size_t triangle_count,
+                                     struct StriaeSurface **surface);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_surface_retain(const struct StriaeSurface *surface);
+
+/**
+ * Drops a reference; the last one frees the surface. NULL is fine.
+ */
+void striae_surface_release(const struct StriaeSurface *surface);
 
 /**
  * Begins a pattern on an unscratched surface.

@@ -14,6 +14,7 @@ fn header_is_fresh() {
         "cross_section",
         "plot",
         "hardness",
+        "surface",
         "pattern",
         "shading",
     ];

@@ -26,6 +26,7 @@ mod pattern;
 mod plot;
 mod shading;
 mod status;
+mod surface;
 mod tool;
 
 pub use cross_section::*;
@@ -38,4 +39,5 @@ pub use pattern::*;
 pub use plot::*;
 pub use shading::*;
 pub use status::*;
+pub use surface::*;
 pub use tool::*;

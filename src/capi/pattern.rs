@@ -5,19 +5,36 @@ use super::handle::{array, borrowed, exclusive, make_shared, release, retain};
 use super::hardness::StriaeHardnessMap;
 use super::material::StriaeMaterial;
 use super::status::{StriaeStatus, check_struct_size, guard};
+use super::surface::StriaeSurface;
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
 use crate::formation::Orientation;
-use crate::pattern::{Held, Key, Path, Pattern, PatternBuilder, Scratch};
+use crate::pattern::{Held, Key, Path, Pattern, PatternBuilder, Scratch, Spline, SplineKind};
 
-/// Kinds of path.
+/// Kinds of path: what its points mean, and how many there must be.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub enum StriaeCurve {
-    /// Straight lines from point to point, two points or more.
+    /// Straight lines from point to point: two points or more. Closed (three or more), the last joins the first.
     Polyline = 0,
-    /// Cubic Bezier curves, each starting where the last ends: 3 n + 1 points.
+    /// Cubic Bezier curves, each starting where the last ends: 3 n + 1 points. Closed, the last one ends at the first
+    /// point: 3 n points.
     CubicBezier = 1,
+    /// A smooth curve through all points, two or more, closed three or more: the centripetal Catmull-Rom spline, which
+    /// neither loops nor overshoots between unevenly spaced points. An open one sets out straight towards its
+    /// second point, and arrives likewise. Points that repeat the one before count once.
+    CatmullRom = 2,
+    /// A uniform cubic B-spline, smooth to its curvature, led by its points and passing through none: four or more;
+    /// open, n points give n - 3 curves and both ends lie inside. Closed it is periodic: three or more.
+    BSpline = 3,
+    /// A cubic B-spline with `knots`. Open: n points, four or more, and n + 4 knots, never descending; the curve runs
+    /// from knots[3] to knots[n], clamped to its first and last point where these knots are there four times. (Programs
+    /// that state n + 2 knots leave out the first and the last, which move nothing: repeat their neighbours.)
+    /// Between the ends a knot may be there three times at most: three times is a corner. Closed it is periodic: n
+    /// points, three or more, and n + 1 knots, from the first to its repetition one round later; of a periodic
+    /// curve told as an open one, its first three points repeated at its end, leave out those three and the last
+    /// six knots.
+    NonUniformBSpline = 4,
 }
 
 /// What a scratch's spin and azimuth are relative to.
@@ -64,7 +81,7 @@ pub struct StriaeScratch {
     pub depth_law: u32,
     /// A StriaeHeld.
     pub held: u32,
-    /// The path's points in texture space, (u, v) each.
+    /// The path's points in texture space, (u, v) each; NULL with a surface.
     pub points_uv: *const [f64; 2],
     /// How many points.
     pub point_count: usize,
@@ -73,6 +90,20 @@ pub struct StriaeScratch {
     pub keys: *const StriaeKey,
     /// How many keys, 1 or more.
     pub key_count: usize,
+    /// 1: the path ends where it begins; 0: it has two ends.
+    pub closed: u32,
+    /// Knots of a STRIAE_CURVE_NON_UNIFORM_B_SPLINE, -1e9 to 1e9; NULL for other curves.
+    pub knots: *const f64,
+    /// How many knots; 0 for other curves.
+    pub knot_count: usize,
+    /// NULL: the path is `points_uv`. Otherwise the mesh that it is drawn on: `points_xyz`, in space near the
+    /// mesh, as in a modeller. The path is the curve's closest points on the mesh, its arc length that on the mesh;
+    /// it goes on where texture space has a seam or passes to another chart, mirrored or not. Where it leaves an
+    /// open mesh by more than a tenth of a triangle there is no path; arc length goes on where it comes back. Where
+    /// the closest point leaps, the path runs straight across the mesh.
+    pub surface: *const StriaeSurface,
+    /// The path's points in the mesh's own coordinates, point_count of them; NULL without a surface.
+    pub points_xyz: *const [f64; 3],
 }
 
 /// Scale of a pattern. Set struct_size to sizeof(StriaePatternOptions).
@@ -126,30 +157,15 @@ impl StriaeScratch {
     unsafe fn add_to(&self, builder: &mut PatternBuilder) -> Result<()> {
         check_struct_size(self.struct_size, size_of::<Self>(), "sizeof(StriaeScratch)")?;
         // SAFETY: as promised by the caller.
-        let (tool, points, keys) = unsafe {
+        let (tool, path, keys) = unsafe {
             (
                 borrowed("tool", self.tool)?,
-                array(
-                    ["points_uv", "point_count"],
-                    self.points_uv,
-                    self.point_count,
-                )?,
+                self.path()?,
                 array(["keys", "key_count"], self.keys, self.key_count)?,
             )
         };
         // SAFETY: as promised by the caller.
         let material = unsafe { self.material.as_ref().map(|m| m.checked()).transpose()? };
-        let path = match self.curve {
-            0 => Path::Polyline(points),
-            1 => Path::CubicBezier(points),
-            other => {
-                return Err(Error::number(
-                    "curve",
-                    f64::from(other),
-                    "a StriaeCurve, 0 to 1",
-                ));
-            }
-        };
         let held = match self.held {
             0 => Held::ToPath,
             1 => Held::ToSurface,
@@ -170,6 +186,62 @@ impl StriaeScratch {
             path,
             keys: &keys,
         })
+    }
+
+    /// # Safety
+    /// The pointers are NULL or valid for what they count.
+    unsafe fn path(&self) -> Result<Path<'_>> {
+        // SAFETY: as promised by the caller.
+        let (kind, surface) = unsafe { (self.kind()?, self.surface.as_ref()) };
+        let closed = match self.closed {
+            0 => false,
+            1 => true,
+            other => return Err(Error::number("closed", f64::from(other), "0 or 1")),
+        };
+        let Some(surface) = surface else {
+            let names = ["points_uv", "point_count"];
+            // SAFETY: as promised by the caller.
+            let points = unsafe { array(names, self.points_uv, self.point_count)? };
+            return Ok(Path::Spline(Spline {
+                kind,
+                points,
+                closed,
+            }));
+        };
+        let names = ["points_xyz", "point_count"];
+        // SAFETY: as promised by the caller.
+        let points = unsafe { array(names, self.points_xyz, self.point_count)? };
+        Ok(Path::OnSurface {
+            surface: &surface.0,
+            spline: Spline {
+                kind,
+                points,
+                closed,
+            },
+        })
+    }
+
+    /// # Safety
+    /// `knots` is NULL or valid for `knot_count`.
+    unsafe fn kind(&self) -> Result<SplineKind<'_>> {
+        // SAFETY: as promised by the caller.
+        let knots = unsafe { array(["knots", "knot_count"], self.knots, self.knot_count)? };
+        let kind = match self.curve {
+            0 => SplineKind::Polyline,
+            1 => SplineKind::CubicBezier,
+            2 => SplineKind::CatmullRom,
+            3 => SplineKind::BSpline,
+            4 => return Ok(SplineKind::NonUniformBSpline { knots }),
+            other => {
+                let accepted = "a StriaeCurve, 0 to 4";
+                return Err(Error::number("curve", f64::from(other), accepted));
+            }
+        };
+        if knots.is_empty() {
+            return Ok(kind);
+        }
+        let accepted = "0 unless the curve is STRIAE_CURVE_NON_UNIFORM_B_SPLINE";
+        Err(Error::count("knot_count", knots.len(), accepted))
     }
 }
 

@@ -184,7 +184,7 @@ impl Edge {
 }
 
 /// The distinct places among `points`, given as the array `name`, and the number of each point's place.
-fn welded(name: &'static str, points: &[DVec3]) -> Result<(Vec<DVec3>, Vec<u32>)> {
+pub(crate) fn welded(name: &'static str, points: &[DVec3]) -> Result<(Vec<DVec3>, Vec<u32>)> {
     let mut places = Vec::new();
     let mut known = HashMap::with_capacity(points.len());
     let mut number = Vec::with_capacity(points.len());

@@ -28,6 +28,7 @@ pub use hardness::{HardnessMap, Reading};
 pub use material::{Layer, MOST_LAYERS, Material};
 #[cfg(feature = "files")]
 pub(crate) use mesh::MOST_IN_MESH;
+pub(crate) use mesh::welded;
 pub use orientation::Orientation;
 pub use penetration::{DepthLaw, Wanted};
 pub use pileup::{Peak, PileUpLaw};

@@ -70,16 +70,16 @@ impl Chains {
             parts(&scaled(&curve.control, units_per_uv), halvings).all(|part| is_plain(&part))
         };
         let halvings = (0..MOST_HALVINGS).find(fits).unwrap_or(MOST_HALVINGS);
-        let mut at = before;
         let one = scaled(&curve.control, DVec2::ONE);
-        for (i, part) in parts(&one, halvings).enumerate() {
-            let control = points_of(&part);
-            at += if halvings == 0 {
-                curve.length
-            } else {
-                length(&control.map(|p| p * units_per_uv))
-            };
-            self.push(&control, 0, i > 0 || curve.joins, at / whole);
+        let controls: Vec<[DVec2; 4]> =
+            parts(&one, halvings).map(|part| points_of(&part)).collect();
+        let in_uv = |control: &[DVec2; 4]| length(&control.map(|p| p * units_per_uv));
+        // On a mesh a curve's length is its own, not its texture space's.
+        let stretch = curve.length / controls.iter().map(in_uv).sum::<f64>();
+        let mut at = before;
+        for (i, control) in controls.iter().enumerate() {
+            at += stretch * in_uv(control);
+            self.push(control, 0, i > 0 || curve.joins, at / whole);
         }
     }
 

@@ -4,8 +4,10 @@
 
 pub(crate) mod caster;
 pub(crate) mod crowd;
+pub(crate) mod inscription;
 pub(crate) mod jumps;
 pub(crate) mod lines;
+pub(crate) mod meshes;
 pub(crate) mod process;
 pub(crate) mod refusal;
 pub(crate) mod tool_surface;
