@@ -332,6 +332,56 @@ typedef enum StriaePlotStyle {
 } StriaePlotStyle;
 
 /**
+ * Generators by name. All numbers are of our choosing: somewhere to begin. Forces suit metals and a sharp tool, such
+ * as STRIAE_TOOL_PRESET_ABRASIVE_GRAIN.
+ */
+typedef enum StriaeStyle {
+  /**
+   * Straight scratches in every direction: 20 on a cm², 2 to 20 mm long.
+   */
+  STRIAE_STYLE_STRAIGHT = 0,
+  /**
+   * A brushed finish: fine, dense, nearly parallel to u.
+   */
+  STRIAE_STYLE_BRUSHED = 1,
+  /**
+   * What a buffing wheel or a cloth moved in circles leaves: fine arcs, all bent to the left.
+   */
+  STRIAE_STYLE_SWIRLS = 2,
+  /**
+   * Years of handling: fine scratches of every size and direction, mostly short and light, few long and deep.
+   */
+  STRIAE_STYLE_HANDLING = 3,
+} StriaeStyle;
+
+/**
+ * Kinds of distribution.
+ */
+typedef enum StriaeDistributionKind {
+  /**
+   * Every value from `from` to `to` alike; the same for all where both are the same.
+   */
+  STRIAE_DISTRIBUTION_KIND_UNIFORM = 0,
+  /**
+   * Normal, mean `middle` and standard deviation `deviation` (0 to 1e9), cut at both ends.
+   */
+  STRIAE_DISTRIBUTION_KIND_NORMAL = 1,
+  /**
+   * Normal in the logarithm, median `middle`, standard deviation of the natural logarithm `deviation` (0 to 10), cut
+   * at both ends.
+   */
+  STRIAE_DISTRIBUTION_KIND_LOG_NORMAL = 2,
+  /**
+   * A density that falls like the value to the power of -`exponent` (-10 to 10); `from` is above 0.
+   */
+  STRIAE_DISTRIBUTION_KIND_POWER_LAW = 3,
+  /**
+   * A density that falls by a factor e with every `decay` (1e-9 to 1e9).
+   */
+  STRIAE_DISTRIBUTION_KIND_EXPONENTIAL = 4,
+} StriaeDistributionKind;
+
+/**
  * A scratch's cross-section. Immutable; any thread may use it; reference-counted.
  */
 typedef struct StriaeCrossSection StriaeCrossSection;
@@ -684,6 +734,130 @@ typedef struct StriaeScratch {
    */
   size_t key_count;
 } StriaeScratch;
+
+/**
+ * How a quantity varies from scratch to scratch: always between `from` and `to`. Fields that the kind does not name
+ * are ignored.
+ */
+typedef struct StriaeDistribution {
+  /**
+   * A StriaeDistributionKind.
+   */
+  uint32_t kind;
+  /**
+   * Least.
+   */
+  double from;
+  /**
+   * Most.
+   */
+  double to;
+  /**
+   * Normal: the mean; log-normal: the median; both before the cut, and between `from` and `to`.
+   */
+  double middle;
+  /**
+   * Normal and log-normal.
+   */
+  double deviation;
+  /**
+   * Power law.
+   */
+  double exponent;
+  /**
+   * Exponential.
+   */
+  double decay;
+} StriaeDistribution;
+
+/**
+ * Scratches by the many. Fill it with striae_generator_preset() and change what you like.
+ */
+typedef struct StriaeGenerator {
+  /**
+   * sizeof(StriaeGenerator)
+   */
+  size_t struct_size;
+  /**
+   * How many in all, 1e8 at most; 0 to go by `per_cm2`.
+   */
+  uint32_t count;
+  /**
+   * How many on each cm² of the area, 0 to 1e8, where `count` is 0.
+   */
+  double per_cm2;
+  /**
+   * Two opposite corners of a rectangle, (u, v), -1e6 to 1e6, the first one lower in both. The scratches' middles
+   * are spread over it evenly; their ends may reach beyond.
+   */
+  double area_uv[2][2];
+  /**
+   * Length along the path, mm, 1e-6 to 1e6.
+   */
+  struct StriaeDistribution length_mm;
+  /**
+   * Normal force in full, kgf, 0 to 100000.
+   */
+  struct StriaeDistribution force_kgf;
+  /**
+   * Depth under load in full, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
+   */
+  struct StriaeDistribution depth_mm;
+  /**
+   * Main direction, counter-clockwise from u on the surface, degrees, -3600 to 3600. A bent scratch has it on
+   * average between its two ends.
+   */
+  double direction_deg;
+  /**
+   * Standard deviation from the main direction, degrees: 0 (parallel) to 360 (every direction alike).
+   */
+  double spread_deg;
+  /**
+   * How much a path turns from start to end on average, to the left, degrees, -3600 to 3600. No single curve turns
+   * by more than 90 degrees.
+   */
+  double turn_deg;
+  /**
+   * Standard deviation of that from scratch to scratch, degrees, 0 to 3600.
+   */
+  double turn_spread_deg;
+  /**
+   * Standard deviation of a single curve's turn from its share of the whole, degrees, 0 to 90.
+   */
+  double wander_deg;
+  /**
+   * Curves in a path, of equal length, 1 to 64.
+   */
+  uint32_t curves;
+  /**
+   * Shares of the length over which force or depth rise from 0 and fall back to it, each 0 to 1, together 1 at most.
+   */
+  double taper[2];
+  /**
+   * Spin about the tool's own axis, counter-clockwise from above, degrees, -3600 to 3600.
+   */
+  double spin_deg;
+  /**
+   * Standard deviation of the spin from scratch to scratch, degrees, 0 to 360.
+   */
+  double spin_spread_deg;
+  /**
+   * Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+   */
+  double tilt_deg;
+  /**
+   * Where the axis leans to, degrees, -3600 to 3600.
+   */
+  double azimuth_deg;
+  /**
+   * A StriaeHeld.
+   */
+  uint32_t held;
+  /**
+   * A StriaeDepthLaw.
+   */
+  uint32_t depth_law;
+} StriaeGenerator;
 
 /**
  * A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's.
@@ -1121,6 +1295,30 @@ void striae_pattern_retain(const struct StriaePattern *pattern);
  * Drops a reference; the last one frees the pattern. NULL is fine.
  */
 void striae_pattern_release(const struct StriaePattern *pattern);
+
+/**
+ * Fills in a generator by name, for the unit square.
+ *
+ * @param style a StriaeStyle
+ * @param generator with struct_size set; the rest is written on success only
+ */
+enum StriaeStatus striae_generator_preset(uint32_t style, struct StriaeGenerator *generator);
+
+/**
+ * Adds generated scratches; if one of them is refused, the builder is as it was. The same seed gives the same
+ * scratches on every machine. For layers over each other call again, with other seeds.
+ *
+ * @param builder the builder
+ * @param generator how many, how long, how deep, which way and how bent
+ * @param tool the tool
+ * @param material another hardness and finish than the surface's for these scratches; NULL for the surface's own
+ * @param seed another seed, other scratches
+ */
+enum StriaeStatus striae_pattern_builder_generate(struct StriaePatternBuilder *builder,
+                                                  const struct StriaeGenerator *generator,
+                                                  const struct StriaeTool *tool,
+                                                  const struct StriaeMaterial *material,
+                                                  uint64_t seed);
 
 /**
  * A point's local frame, in which `view` and `light` are given. Allocates nothing.

@@ -15,6 +15,7 @@ fn header_is_fresh() {
         "plot",
         "hardness",
         "pattern",
+        "generator",
         "shading",
     ];
     let builder = sources

@@ -18,6 +18,7 @@
 mod cross_section;
 #[cfg(feature = "files")]
 mod files;
+mod generator;
 mod handle;
 mod hardness;
 mod material;
@@ -31,6 +32,7 @@ mod tool;
 pub use cross_section::*;
 #[cfg(feature = "files")]
 pub use files::*;
+pub use generator::*;
 pub use hardness::*;
 pub use material::*;
 pub use pattern::*;

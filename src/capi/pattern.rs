@@ -90,7 +90,7 @@ pub struct StriaePatternOptions {
 
 /// Collects scratches. One thread at a time.
 #[derive(Debug)]
-pub struct StriaePatternBuilder(PatternBuilder);
+pub struct StriaePatternBuilder(pub(super) PatternBuilder);
 
 /// A surface with its scratches. Immutable; any thread may use it; reference-counted.
 #[derive(Debug)]
@@ -116,6 +116,17 @@ impl From<&StriaeKey> for Key {
             force_kgf,
             depth_mm,
             orientation,
+        }
+    }
+}
+
+pub(super) fn held(number: u32) -> Result<Held> {
+    match number {
+        0 => Ok(Held::ToPath),
+        1 => Ok(Held::ToSurface),
+        other => {
+            let accepted = "a StriaeHeld, 0 to 1";
+            Err(Error::number("held", f64::from(other), accepted))
         }
     }
 }
@@ -150,23 +161,12 @@ impl StriaeScratch {
                 ));
             }
         };
-        let held = match self.held {
-            0 => Held::ToPath,
-            1 => Held::ToSurface,
-            other => {
-                return Err(Error::number(
-                    "held",
-                    f64::from(other),
-                    "a StriaeHeld, 0 to 1",
-                ));
-            }
-        };
         let keys: Vec<Key> = keys.iter().map(Key::from).collect();
         builder.add(&Scratch {
             tool: &tool.0,
             material: material.as_ref(),
             depth_law: depth_law(self.depth_law)?,
-            held,
+            held: held(self.held)?,
             path,
             keys: &keys,
         })

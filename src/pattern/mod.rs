@@ -7,6 +7,7 @@
 mod along;
 mod builder;
 mod closest;
+mod generator;
 mod grid;
 mod path;
 mod pieces;
@@ -17,6 +18,7 @@ mod scratch;
 mod track;
 
 pub use builder::{Pattern, PatternBuilder};
+pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes, Style};
 pub use path::Path;
 pub(crate) use point::Metric;
 pub use point::{Footprint, Frame, SurfacePoint};
