@@ -1076,6 +1076,22 @@ enum StriaeStatus striae_hardness_map_load(const char *path,
                                            struct StriaeHardnessMap **map);
 
 /**
+ * Begins a pattern with all that a pattern file holds: surface, scratches and generators. JSON; its form is described in
+ * docs/pattern-file.md. Files that it names are looked for from its own folder.
+ *
+ * A file that is missing, broken or of another version, that names what it does not hold, or in which a value is out of
+ * its range is answered with STRIAE_STATUS_FILE; striae_last_error() then names the file, the line, column and field or the
+ * scratch, what was found and what is accepted.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param builder receives a builder to add more to, and to free with striae_pattern_builder_free(); NULL on failure
+ */
+enum StriaeStatus striae_pattern_builder_load(const char *path,
+                                              struct StriaePatternBuilder **builder);
+
+/**
  * Fills in a diffuse base BRDF.
  *
  * @param albedo RGB, each 0 to 1

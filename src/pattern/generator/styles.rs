@@ -9,6 +9,8 @@ use crate::pattern::Held;
 /// Forces suit metals, scratch hardness as the depth law, and a sharp tool such as
 /// [`Tool::abrasive_grain`](crate::formation::Tool::abrasive_grain) or a needle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "files", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "files", serde(rename_all = "snake_case"))]
 pub enum Style {
     /// Straight scratches in every direction: 20 on a cm², 2 to 20 mm long.
     #[default]
