@@ -860,6 +860,63 @@ typedef struct StriaeGenerator {
 } StriaeGenerator;
 
 /**
+ * What scratches are made along a drawing's paths. All zero but struct_size and tool: on the unit square, each as wide
+ * as its stroke. Set struct_size to sizeof(StriaeSvgOptions).
+ */
+typedef struct StriaeSvgOptions {
+  /**
+   * sizeof(StriaeSvgOptions)
+   */
+  size_t struct_size;
+  /**
+   * The tool.
+   */
+  const struct StriaeTool *tool;
+  /**
+   * Another hardness and finish than the surface's for these scratches; NULL for the surface's own.
+   */
+  const struct StriaeMaterial *material;
+  /**
+   * Where the drawing's edges come to lie: two opposite corners, (u, v), -1e6 to 1e6, the first one lower in both; all 0
+   * for the unit square. The drawing's top is the area's.
+   */
+  double area_uv[2][2];
+  /**
+   * A StriaeDepthLaw.
+   */
+  uint32_t depth_law;
+  /**
+   * A StriaeHeld.
+   */
+  uint32_t held;
+  /**
+   * Normal force, kgf, 0 to 100000; 0 for what makes each scratch as wide between its two crests as its stroke, at the
+   * material's own hardness.
+   */
+  double force_kgf;
+  /**
+   * Likewise the depth under load, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
+   */
+  double depth_mm;
+  /**
+   * Shares of the length over which force or depth rise from 0 and fall back to it, each 0 to 1, together 1 at most.
+   */
+  double taper[2];
+  /**
+   * Spin about the tool's own axis, counter-clockwise from above, degrees.
+   */
+  double spin_deg;
+  /**
+   * Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+   */
+  double tilt_deg;
+  /**
+   * Where the axis leans to, degrees.
+   */
+  double azimuth_deg;
+} StriaeSvgOptions;
+
+/**
  * A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's.
  */
 typedef struct StriaePoint {
@@ -1335,6 +1392,27 @@ enum StriaeStatus striae_pattern_builder_generate(struct StriaePatternBuilder *b
                                                   const struct StriaeTool *tool,
                                                   const struct StriaeMaterial *material,
                                                   uint64_t seed);
+
+/**
+ * Adds a scratch along each stroked path of an SVG drawing; if one of them is refused, the builder is as it was.
+ *
+ * Paths, lines, polylines, polygons, rectangles, circles and ellipses count, where visible, under their transforms; fills,
+ * texts, images, clips, masks and dashes do not. A drawing is stretched where the area has other proportions; a stroke's
+ * width is then the geometric mean of both directions.
+ *
+ * A file that is missing, no SVG, without a size or without a stroked path, and a scratch that cannot be made, are answered
+ * with STRIAE_STATUS_FILE; striae_last_error() then names the file, the line and column or the path, what was found and what
+ * is accepted.
+ *
+ * Not in a library that was built without the cargo feature `svg` (it is on by default).
+ *
+ * @param builder the builder
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param options what scratches are made
+ */
+enum StriaeStatus striae_pattern_builder_add_svg(struct StriaePatternBuilder *builder,
+                                                 const char *path,
+                                                 const struct StriaeSvgOptions *options);
 
 /**
  * A point's local frame, in which `view` and `light` are given. Allocates nothing.

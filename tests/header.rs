@@ -16,6 +16,7 @@ fn header_is_fresh() {
         "hardness",
         "pattern",
         "generator",
+        "svg",
         "shading",
     ];
     let builder = sources

@@ -27,6 +27,8 @@ mod pattern;
 mod plot;
 mod shading;
 mod status;
+#[cfg(feature = "svg")]
+mod svg;
 mod tool;
 
 pub use cross_section::*;
@@ -40,4 +42,6 @@ pub use pattern::*;
 pub use plot::*;
 pub use shading::*;
 pub use status::*;
+#[cfg(feature = "svg")]
+pub use svg::*;
 pub use tool::*;

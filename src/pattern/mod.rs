@@ -18,6 +18,8 @@ mod scratch;
 mod track;
 
 pub use builder::{Pattern, PatternBuilder};
+#[cfg(feature = "svg")]
+pub(crate) use generator::tapered;
 pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes, Style};
 pub use path::Path;
 pub(crate) use point::Metric;

@@ -12,6 +12,8 @@ mod strokes;
 mod styles;
 
 pub use distribution::Distribution;
+#[cfg(feature = "svg")]
+pub(crate) use strokes::tapered;
 pub use strokes::{Stroke, Strokes};
 pub use styles::Style;
 
@@ -132,9 +134,10 @@ impl Generator {
 
     fn check(&self) -> Result<()> {
         let [from, to] = self.area_uv;
+        for value in [from, to].concat() {
+            in_range("area_uv", value, -1e6, 1e6)?;
+        }
         for i in 0..2 {
-            in_range("area_uv", from[i], -1e6, 1e6)?;
-            in_range("area_uv", to[i], -1e6, 1e6)?;
             if from[i] > to[i] {
                 let accepted = "a corner that is lower in u and v, then one that is higher";
                 return Err(Error::number("area_uv", from[i], accepted));

@@ -151,23 +151,34 @@ impl Strokes {
     fn keys(&self, force_kgf: f64, depth_mm: f64, spin_deg: f64, keys: &mut Vec<Key>) {
         let mut orientation = self.generator.orientation;
         orientation.spin_deg = (orientation.spin_deg + spin_deg).clamp(-3600.0, 3600.0);
-        let key = |at: f64, share: f64| Key {
-            depth_mm: share * depth_mm,
+        let full = Key {
+            depth_mm,
             orientation,
-            ..Key::force(at, share * force_kgf)
+            ..Key::force(0.0, force_kgf)
         };
-        let [rise, fall] = self.generator.taper;
-        keys.clear();
-        if rise > 0.0 {
-            keys.push(key(0.0, 0.0));
+        tapered(full, self.generator.taper, keys);
+    }
+}
+
+/// Writes the keys of a scratch whose force and depth rise from 0 to `full` and fall back to 0 over these shares of its
+/// length, both together 1 at most.
+pub(crate) fn tapered(full: Key, [rise, fall]: [f64; 2], keys: &mut Vec<Key>) {
+    let key = |at: f64, share: f64| Key {
+        at,
+        force_kgf: share * full.force_kgf,
+        depth_mm: share * full.depth_mm,
+        ..full
+    };
+    keys.clear();
+    if rise > 0.0 {
+        keys.push(key(0.0, 0.0));
+    }
+    keys.push(key(rise, 1.0));
+    if fall > 0.0 {
+        if 1.0 - fall > rise {
+            keys.push(key(1.0 - fall, 1.0));
         }
-        keys.push(key(rise, 1.0));
-        if fall > 0.0 {
-            if 1.0 - fall > rise {
-                keys.push(key(1.0 - fall, 1.0));
-            }
-            keys.push(key(1.0, 0.0));
-        }
+        keys.push(key(1.0, 0.0));
     }
 }
 
