@@ -2,6 +2,7 @@
  * striae: physically based scratches for renderers.
  *
  * Build time:  tool, material -> (cross-section) ; builder -> add scratches -> pattern
+ *              (one by one, by the many from a generator, from a pattern file, from an SVG drawing)
  * Render time: striae_shade(pattern, point, view) once per shading point and view, then
  *              striae_eval(shading, light) per light. Neither allocates, locks or blocks.
  *

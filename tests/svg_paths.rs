@@ -1,5 +1,7 @@
 //! Paths from SVG drawings: where they come to lie, how wide their strokes are, what is no drawing.
 
+use rand::rngs::StdRng;
+use rand::{Rng, SeedableRng};
 use striae::brdf::Metal;
 use striae::files::{Pressed, SvgPath, SvgPaths, SvgScratches};
 use striae::formation::{CrossSection, DepthLaw, Material, Orientation, Process, Tool, Wanted};
@@ -316,6 +318,37 @@ fn builders_survive() {
     leant.orientation.tilt_deg = 88.0;
     let leant = refused(leant);
     assert!(leant.starts_with("tilt_deg is 88; accepted: "), "{leant}");
+}
+
+/// What bytes are replaced by.
+const BYTES: &[u8] = b"0123456789-.e'<>/&;()MLCQAZ ";
+
+/// Whatever a drawing's text holds, it is read or refused: nothing else happens.
+#[test]
+fn damaged_drawings_are_answered() {
+    let whole = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 50 40'><g transform='scale(2) rotate(30 1 2)'>\
+                 <path stroke='red' stroke-width='0.1' d='M 0 0 L 5 5 Q 1 2 3 4 A 3 2 10 0 1 7 7 Z'/></g>\
+                 <circle stroke='red' cx='3' cy='4' r='2'/></svg>";
+    let mut random = StdRng::seed_from_u64(4);
+    let tool = Tool::rockwell_c();
+    let (mut read, mut built) = (0, 0);
+    for _ in 0..2000 {
+        let mut bytes = whole.as_bytes().to_vec();
+        for _ in 0..random.random_range(1..5) {
+            let at = random.random_range(0..bytes.len());
+            bytes[at] = BYTES[random.random_range(0..BYTES.len())];
+        }
+        let text = String::from_utf8(bytes).unwrap();
+        if let Ok(paths) = SvgPaths::parse(&text, UNIT) {
+            read += 1;
+            let added = paths.add_to(&mut builder(), &SvgScratches::new(&tool));
+            built += usize::from(added.is_ok());
+        }
+    }
+    assert!(
+        read > 50 && (10..=read).contains(&built),
+        "{read} read, {built} built"
+    );
 }
 
 /// Files that are no drawing, have no size or no stroke are refused with a clear text, never with a panic.

@@ -89,7 +89,7 @@ pub(super) fn quantile(p: f64) -> f64 {
     if q.abs() <= 0.425 {
         return q * ratio(&MIDDLE, 0.180625 - q * q);
     }
-    let r = (-libm::log(p.min(1.0 - p))).sqrt();
+    let r = (-libm::log(p.min(1.0 - p).max(f64::MIN_POSITIVE))).sqrt();
     let z = if r <= 5.0 {
         ratio(&TAIL, r - 1.6)
     } else {
@@ -121,6 +121,10 @@ mod tests {
             assert!((back - p).abs() < 1e-15, "{p}: {back}");
         }
         assert_eq!(quantile(0.5), 0.0);
+        assert!(
+            quantile(1.0).is_finite() && quantile(0.0).is_finite(),
+            "ends"
+        );
         assert!(
             (quantile(0.975) - 1.959_963_984_540_054).abs() < 1e-14,
             "two sigma"
