@@ -2,6 +2,7 @@
  * striae: physically based scratches for renderers.
  *
  * Build time:  tool, material -> (cross-section) ; builder -> add scratches -> pattern
+ *              (one by one, by the many from a generator, from a pattern file, from an SVG drawing)
  * Render time: striae_shade(pattern, point, view) once per shading point and view, then
  *              striae_eval(shading, light) per light. Neither allocates, locks or blocks.
  *
@@ -352,6 +353,56 @@ typedef enum StriaePlotStyle {
    */
   STRIAE_PLOT_STYLE_STRIP = 1,
 } StriaePlotStyle;
+
+/**
+ * Generators by name. All numbers are of our choosing: somewhere to begin. Forces suit metals and a sharp tool, such
+ * as STRIAE_TOOL_PRESET_ABRASIVE_GRAIN.
+ */
+typedef enum StriaeStyle {
+  /**
+   * Straight scratches in every direction: 20 on a cm², 2 to 20 mm long.
+   */
+  STRIAE_STYLE_STRAIGHT = 0,
+  /**
+   * A brushed finish: fine, dense, nearly parallel to u.
+   */
+  STRIAE_STYLE_BRUSHED = 1,
+  /**
+   * What a buffing wheel or a cloth moved in circles leaves: fine arcs, all bent to the left.
+   */
+  STRIAE_STYLE_SWIRLS = 2,
+  /**
+   * Years of handling: fine scratches of every size and direction, mostly short and light, few long and deep.
+   */
+  STRIAE_STYLE_HANDLING = 3,
+} StriaeStyle;
+
+/**
+ * Kinds of distribution.
+ */
+typedef enum StriaeDistributionKind {
+  /**
+   * Every value from `from` to `to` alike; the same for all where both are the same.
+   */
+  STRIAE_DISTRIBUTION_KIND_UNIFORM = 0,
+  /**
+   * Normal, mean `middle` and standard deviation `deviation` (0 to 1e9), cut at both ends.
+   */
+  STRIAE_DISTRIBUTION_KIND_NORMAL = 1,
+  /**
+   * Normal in the logarithm, median `middle`, standard deviation of the natural logarithm `deviation` (0 to 10), cut
+   * at both ends.
+   */
+  STRIAE_DISTRIBUTION_KIND_LOG_NORMAL = 2,
+  /**
+   * A density that falls like the value to the power of -`exponent` (-10 to 10); `from` is above 0.
+   */
+  STRIAE_DISTRIBUTION_KIND_POWER_LAW = 3,
+  /**
+   * A density that falls by a factor e with every `decay` (1e-9 to 1e9).
+   */
+  STRIAE_DISTRIBUTION_KIND_EXPONENTIAL = 4,
+} StriaeDistributionKind;
 
 /**
  * A scratch's cross-section. Immutable; any thread may use it; reference-counted.
@@ -738,6 +789,187 @@ typedef struct StriaeScratch {
 } StriaeScratch;
 
 /**
+ * How a quantity varies from scratch to scratch: always between `from` and `to`. Fields that the kind does not name
+ * are ignored.
+ */
+typedef struct StriaeDistribution {
+  /**
+   * A StriaeDistributionKind.
+   */
+  uint32_t kind;
+  /**
+   * Least.
+   */
+  double from;
+  /**
+   * Most.
+   */
+  double to;
+  /**
+   * Normal: the mean; log-normal: the median; both before the cut, and between `from` and `to`.
+   */
+  double middle;
+  /**
+   * Normal and log-normal.
+   */
+  double deviation;
+  /**
+   * Power law.
+   */
+  double exponent;
+  /**
+   * Exponential.
+   */
+  double decay;
+} StriaeDistribution;
+
+/**
+ * Scratches by the many. Fill it with striae_generator_preset() and change what you like.
+ */
+typedef struct StriaeGenerator {
+  /**
+   * sizeof(StriaeGenerator)
+   */
+  size_t struct_size;
+  /**
+   * How many in all, 1e8 at most; 0 to go by `per_cm2`.
+   */
+  uint32_t count;
+  /**
+   * How many on each cm² of the area, 0 to 1e8, where `count` is 0.
+   */
+  double per_cm2;
+  /**
+   * Two opposite corners of a rectangle, (u, v), -1e6 to 1e6, the first one lower in both. The scratches' middles
+   * are spread over it evenly; their ends may reach beyond.
+   */
+  double area_uv[2][2];
+  /**
+   * Length along the path, mm, 1e-6 to 1e6.
+   */
+  struct StriaeDistribution length_mm;
+  /**
+   * Normal force in full, kgf, 0 to 100000.
+   */
+  struct StriaeDistribution force_kgf;
+  /**
+   * Depth under load in full, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
+   */
+  struct StriaeDistribution depth_mm;
+  /**
+   * Main direction, counter-clockwise from u on the surface, degrees, -3600 to 3600. A bent scratch has it on
+   * average between its two ends.
+   */
+  double direction_deg;
+  /**
+   * Standard deviation from the main direction, degrees: 0 (parallel) to 360 (every direction alike).
+   */
+  double spread_deg;
+  /**
+   * How much a path turns from start to end on average, to the left, degrees, -3600 to 3600. No single curve turns
+   * by more than 90 degrees.
+   */
+  double turn_deg;
+  /**
+   * Standard deviation of that from scratch to scratch, degrees, 0 to 3600.
+   */
+  double turn_spread_deg;
+  /**
+   * Standard deviation of a single curve's turn from its share of the whole, degrees, 0 to 90.
+   */
+  double wander_deg;
+  /**
+   * Curves in a path, of equal length, 1 to 64.
+   */
+  uint32_t curves;
+  /**
+   * Shares of the length over which force or depth rise from 0 and fall back to it, each 0 to 1, together 1 at most.
+   */
+  double taper[2];
+  /**
+   * Spin about the tool's own axis, counter-clockwise from above, degrees, -3600 to 3600.
+   */
+  double spin_deg;
+  /**
+   * Standard deviation of the spin from scratch to scratch, degrees, 0 to 360.
+   */
+  double spin_spread_deg;
+  /**
+   * Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+   */
+  double tilt_deg;
+  /**
+   * Where the axis leans to, degrees, -3600 to 3600.
+   */
+  double azimuth_deg;
+  /**
+   * A StriaeHeld.
+   */
+  uint32_t held;
+  /**
+   * A StriaeDepthLaw.
+   */
+  uint32_t depth_law;
+} StriaeGenerator;
+
+/**
+ * What scratches are made along a drawing's paths. All zero but struct_size and tool: on the unit square, each as wide
+ * as its stroke. Set struct_size to sizeof(StriaeSvgOptions).
+ */
+typedef struct StriaeSvgOptions {
+  /**
+   * sizeof(StriaeSvgOptions)
+   */
+  size_t struct_size;
+  /**
+   * The tool.
+   */
+  const struct StriaeTool *tool;
+  /**
+   * Another hardness and finish than the surface's for these scratches; NULL for the surface's own.
+   */
+  const struct StriaeMaterial *material;
+  /**
+   * Where the drawing's edges come to lie: two opposite corners, (u, v), -1e6 to 1e6, the first one lower in both; all 0
+   * for the unit square. The drawing's top is the area's.
+   */
+  double area_uv[2][2];
+  /**
+   * A StriaeDepthLaw.
+   */
+  uint32_t depth_law;
+  /**
+   * A StriaeHeld.
+   */
+  uint32_t held;
+  /**
+   * Normal force, kgf, 0 to 100000; 0 for what makes each scratch as wide between its two crests as its stroke, at the
+   * material's own hardness.
+   */
+  double force_kgf;
+  /**
+   * Likewise the depth under load, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
+   */
+  double depth_mm;
+  /**
+   * Shares of the length over which force or depth rise from 0 and fall back to it, each 0 to 1, together 1 at most.
+   */
+  double taper[2];
+  /**
+   * Spin about the tool's own axis, counter-clockwise from above, degrees.
+   */
+  double spin_deg;
+  /**
+   * Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+   */
+  double tilt_deg;
+  /**
+   * Where the axis leans to, degrees.
+   */
+  double azimuth_deg;
+} StriaeSvgOptions;
+
+/**
  * A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's.
  */
 typedef struct StriaePoint {
@@ -952,6 +1184,22 @@ enum StriaeStatus striae_hardness_map_load(const char *path,
                                            double from_hv,
                                            double to_hv,
                                            struct StriaeHardnessMap **map);
+
+/**
+ * Begins a pattern with all that a pattern file holds: surface, scratches and generators. JSON; its form is described in
+ * docs/pattern-file.md. Files that it names are looked for from its own folder.
+ *
+ * A file that is missing, broken or of another version, that names what it does not hold, or in which a value is out of
+ * its range is answered with STRIAE_STATUS_FILE; striae_last_error() then names the file, the line, column and field or the
+ * scratch, what was found and what is accepted.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param builder receives a builder to add more to, and to free with striae_pattern_builder_free(); NULL on failure
+ */
+enum StriaeStatus striae_pattern_builder_load(const char *path,
+                                              struct StriaePatternBuilder **builder);
 
 /**
  * Fills in a diffuse base BRDF.
@@ -1202,6 +1450,51 @@ void striae_pattern_retain(const struct StriaePattern *pattern);
  * Drops a reference; the last one frees the pattern. NULL is fine.
  */
 void striae_pattern_release(const struct StriaePattern *pattern);
+
+/**
+ * Fills in a generator by name, for the unit square.
+ *
+ * @param style a StriaeStyle
+ * @param generator with struct_size set; the rest is written on success only
+ */
+enum StriaeStatus striae_generator_preset(uint32_t style, struct StriaeGenerator *generator);
+
+/**
+ * Adds generated scratches; if one of them is refused, the builder is as it was. The same seed gives the same
+ * scratches on every machine. For layers over each other call again, with other seeds.
+ *
+ * @param builder the builder
+ * @param generator how many, how long, how deep, which way and how bent
+ * @param tool the tool
+ * @param material another hardness and finish than the surface's for these scratches; NULL for the surface's own
+ * @param seed another seed, other scratches
+ */
+enum StriaeStatus striae_pattern_builder_generate(struct StriaePatternBuilder *builder,
+                                                  const struct StriaeGenerator *generator,
+                                                  const struct StriaeTool *tool,
+                                                  const struct StriaeMaterial *material,
+                                                  uint64_t seed);
+
+/**
+ * Adds a scratch along each stroked path of an SVG drawing; if one of them is refused, the builder is as it was.
+ *
+ * Paths, lines, polylines, polygons, rectangles, circles and ellipses count, where visible, under their transforms; fills,
+ * texts, images, clips, masks and dashes do not. A drawing is stretched where the area has other proportions; a stroke's
+ * width is then the geometric mean of both directions.
+ *
+ * A file that is missing, no SVG, without a size or without a stroked path, and a scratch that cannot be made, are answered
+ * with STRIAE_STATUS_FILE; striae_last_error() then names the file, the line and column or the path, what was found and what
+ * is accepted.
+ *
+ * Not in a library that was built without the cargo feature `svg` (it is on by default).
+ *
+ * @param builder the builder
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param options what scratches are made
+ */
+enum StriaeStatus striae_pattern_builder_add_svg(struct StriaePatternBuilder *builder,
+                                                 const char *path,
+                                                 const struct StriaeSvgOptions *options);
 
 /**
  * A point's local frame, in which `view` and `light` are given. Allocates nothing.

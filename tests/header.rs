@@ -16,6 +16,8 @@ fn header_is_fresh() {
         "hardness",
         "surface",
         "pattern",
+        "generator",
+        "svg",
         "shading",
     ];
     let builder = sources

@@ -8,6 +8,8 @@
 /// Hardness of the elements is Samsonov's Vickers hardness (Handbook of the Physicochemical Properties of the
 /// Elements, 1968) over 9.80665, of the alloys and of titanium a value typical of the temper named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "files", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "files", serde(rename_all = "snake_case"))]
 pub enum Metal {
     /// Aluminium alloy 6061-T6, 107 HV.
     Aluminium,

@@ -1,11 +1,12 @@
 //! Files for C.
 
-use super::handle::make_shared;
+use super::handle::{exclusive, make_shared};
 use super::hardness::StriaeHardnessMap;
+use super::pattern::StriaePatternBuilder;
 use super::status::{Refusal, StriaeStatus, guard_any};
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
-use crate::files::{FileError, read_hardness, read_tool};
+use crate::files::{FileError, read_hardness, read_pattern, read_tool};
 use core::ffi::{CStr, c_char};
 use std::path::Path;
 
@@ -71,6 +72,33 @@ pub unsafe extern "C" fn striae_hardness_map_load(
     };
     // SAFETY: `map` is NULL or writable, as the header asks.
     guard_any(|| unsafe { make_shared::<_, FileError>("map", map, make) })
+}
+
+/// Begins a pattern with all that a pattern file holds: surface, scratches and generators. JSON; its form is described in
+/// docs/pattern-file.md. Files that it names are looked for from its own folder.
+///
+/// A file that is missing, broken or of another version, that names what it does not hold, or in which a value is out of
+/// its range is answered with STRIAE_STATUS_FILE; striae_last_error() then names the file, the line, column and field or the
+/// scratch, what was found and what is accepted.
+///
+/// Not in a library that was built without the cargo feature `files` (it is on by default).
+///
+/// @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+/// @param builder receives a builder to add more to, and to free with striae_pattern_builder_free(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_builder_load(
+    path: *const c_char,
+    builder: *mut *mut StriaePatternBuilder,
+) -> StriaeStatus {
+    guard_any(|| {
+        // SAFETY: NULL or writable, as the header asks.
+        let out = unsafe { exclusive("builder", builder)? };
+        *out = core::ptr::null_mut();
+        // SAFETY: NULL or NUL-terminated, as the header asks.
+        let path = unsafe { path_from("path", path)? };
+        *out = Box::into_raw(Box::new(StriaePatternBuilder(read_pattern(path)?)));
+        Ok::<(), FileError>(())
+    })
 }
 
 /// # Safety

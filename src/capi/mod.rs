@@ -18,6 +18,7 @@
 mod cross_section;
 #[cfg(feature = "files")]
 mod files;
+mod generator;
 mod handle;
 mod hardness;
 mod material;
@@ -27,11 +28,14 @@ mod plot;
 mod shading;
 mod status;
 mod surface;
+#[cfg(feature = "svg")]
+mod svg;
 mod tool;
 
 pub use cross_section::*;
 #[cfg(feature = "files")]
 pub use files::*;
+pub use generator::*;
 pub use hardness::*;
 pub use material::*;
 pub use pattern::*;
@@ -40,4 +44,6 @@ pub use plot::*;
 pub use shading::*;
 pub use status::*;
 pub use surface::*;
+#[cfg(feature = "svg")]
+pub use svg::*;
 pub use tool::*;

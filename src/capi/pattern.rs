@@ -121,7 +121,7 @@ pub struct StriaePatternOptions {
 
 /// Collects scratches. One thread at a time.
 #[derive(Debug)]
-pub struct StriaePatternBuilder(PatternBuilder);
+pub struct StriaePatternBuilder(pub(super) PatternBuilder);
 
 /// A surface with its scratches. Immutable; any thread may use it; reference-counted.
 #[derive(Debug)]
@@ -151,6 +151,17 @@ impl From<&StriaeKey> for Key {
     }
 }
 
+pub(super) fn held(number: u32) -> Result<Held> {
+    match number {
+        0 => Ok(Held::ToPath),
+        1 => Ok(Held::ToSurface),
+        other => {
+            let accepted = "a StriaeHeld, 0 to 1";
+            Err(Error::number("held", f64::from(other), accepted))
+        }
+    }
+}
+
 impl StriaeScratch {
     /// # Safety
     /// The pointers are NULL or valid for what they count.
@@ -166,23 +177,12 @@ impl StriaeScratch {
         };
         // SAFETY: as promised by the caller.
         let material = unsafe { self.material.as_ref().map(|m| m.checked()).transpose()? };
-        let held = match self.held {
-            0 => Held::ToPath,
-            1 => Held::ToSurface,
-            other => {
-                return Err(Error::number(
-                    "held",
-                    f64::from(other),
-                    "a StriaeHeld, 0 to 1",
-                ));
-            }
-        };
         let keys: Vec<Key> = keys.iter().map(Key::from).collect();
         builder.add(&Scratch {
             tool: &tool.0,
             material: material.as_ref(),
             depth_law: depth_law(self.depth_law)?,
-            held,
+            held: held(self.held)?,
             path,
             keys: &keys,
         })

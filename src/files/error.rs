@@ -27,6 +27,8 @@ pub(super) enum Place {
     Whole,
     Line(usize),
     Byte(usize),
+    /// Line and column, both from 1.
+    Column(usize, usize),
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +37,8 @@ enum Fault {
     Argument(Error),
     /// The file is in order, but no tool can be made of it.
     Unusable(Error),
+    /// A part of the file was refused: which one, and why.
+    Within(String),
     Refused {
         found: Cow<'static, str>,
         accepted: Cow<'static, str>,
@@ -65,8 +69,13 @@ impl FileError {
         Self::of(Place::Whole, Fault::Unusable(error))
     }
 
+    /// `part` of a file was refused, with this error.
+    pub(super) fn within(part: impl fmt::Display, error: impl fmt::Display) -> Self {
+        Self::of(Place::Whole, Fault::Within(format!("{part}: {error}")))
+    }
+
     /// The same error, about the file at `path`.
-    pub(super) fn in_file(mut self, path: &Path) -> Self {
+    pub(crate) fn in_file(mut self, path: &Path) -> Self {
         let name = path.to_string_lossy();
         let mut start = name.len().saturating_sub(NAME_BYTES);
         start = name.ceil_char_boundary(start);
@@ -111,9 +120,11 @@ impl fmt::Display for FileError {
             Place::Whole => {}
             Place::Line(number) => write!(f, "line {number}: ")?,
             Place::Byte(offset) => write!(f, "byte {offset}: ")?,
+            Place::Column(line, column) => write!(f, "line {line}, column {column}: ")?,
         }
         match &*self.fault {
             Fault::Argument(error) | Fault::Unusable(error) => error.fmt(f),
+            Fault::Within(text) => f.write_str(text),
             Fault::Refused { found, accepted } => write!(f, "{found}; accepted: {accepted}"),
         }
     }

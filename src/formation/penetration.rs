@@ -12,6 +12,8 @@ use kurbo::common::solve_itp;
 
 /// A law that gives the groove's depth under load.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "files", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "files", serde(rename_all = "snake_case"))]
 pub enum DepthLaw {
     /// p = 0.182 sqrt(F/HV + 0.0055) - 0.014 mm (Bosch et al. 2004, section 3.2), fitted to scratches made
     /// with a Rockwell C cone in metals. Below F/HV = 4.17e-4 it gives no scratch.

@@ -9,6 +9,11 @@ const STEEPEST_DEG: f64 = 85.0;
 
 /// How steep the outer flank of a peak is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "files", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "files",
+    serde(rename_all = "snake_case", deny_unknown_fields)
+)]
 pub enum PileUpLaw {
     /// tan beta = -0.56 + 2.54 tan alpha (Bosch et al. 2004, section 3.2), alpha being the slope of the inner
     /// flank. Where that falls below a quarter of tan alpha, a quarter of tan alpha.

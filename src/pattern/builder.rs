@@ -68,6 +68,16 @@ impl PatternBuilder {
         })
     }
 
+    /// Millimetres that one unit of u and of v spans.
+    pub fn mm_per_uv(&self) -> [f64; 2] {
+        (self.mm_per_scene_unit * self.units_per_uv).to_array()
+    }
+
+    /// The surface's material.
+    pub fn material(&self) -> &Material {
+        &self.material
+    }
+
     /// Lets the surface's hardness vary: scratches added from now on meet `map` along their way instead of the
     /// material's own hardness. Scratches with a material of their own keep that one's.
     pub fn set_hardness(&mut self, map: HardnessMap) {

@@ -9,6 +9,7 @@ mod builder;
 mod closest;
 mod course;
 mod crowd;
+mod generator;
 mod grid;
 mod kinds;
 mod layers;
@@ -29,6 +30,9 @@ mod tracks;
 
 pub use builder::PatternBuilder;
 pub(crate) use crowd::Crowd;
+#[cfg(feature = "svg")]
+pub(crate) use generator::tapered;
+pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes, Style};
 pub(crate) use layers::Layered;
 pub(crate) use palette::{MOST_CLASS_VERTICES, Palette};
 pub use path::{Curve, Path};

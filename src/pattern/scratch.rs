@@ -22,6 +22,8 @@ pub struct Scratch<'a> {
 
 /// What a scratch's spin and azimuth are relative to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "files", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "files", serde(rename_all = "snake_case"))]
 pub enum Held {
     /// The direction of travel: the hand turns with the path.
     #[default]
