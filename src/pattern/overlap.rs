@@ -4,7 +4,6 @@
 //! piece, for pixels that hold many.
 
 use super::Pattern;
-use super::grid::CellPieces;
 use super::region::Region;
 use arrayvec::ArrayVec;
 use core::ops::ControlFlow;
@@ -24,6 +23,16 @@ struct Strip {
 }
 
 impl Strip {
+    /// One of its quarters, in the direction of travel.
+    fn quarter(&self, number: usize) -> Self {
+        let shift = 0.25 * (2.0 * number as f64 - 3.0);
+        Self {
+            middle: self.middle + shift * self.half,
+            half: 0.25 * self.half,
+            half_width: self.half_width,
+        }
+    }
+
     fn along(&self) -> DVec2 {
         self.half.normalize_or(DVec2::X)
     }
@@ -62,9 +71,9 @@ impl Strip {
     }
 }
 
-/// The share of each piece that later scratches leave: those that cover a part of it each do so independently
-/// of one another.
-pub(super) fn visible_shares(pattern: &Pattern, _cells: &CellPieces) -> Vec<f32> {
+/// What later scratches leave of the quarters of each piece, in 255ths: those that cover a part of one each do so
+/// independently of one another.
+pub(super) fn visible_shares(pattern: &Pattern) -> Vec<[u8; 4]> {
     let count = pattern.curves().pieces.len();
     let strips: Vec<Strip> = (0..count)
         .into_par_iter()
@@ -75,7 +84,8 @@ pub(super) fn visible_shares(pattern: &Pattern, _cells: &CellPieces) -> Vec<f32>
     let visible = |number: usize| {
         let [low, high] = pattern.curves().bounds(number);
         let mut later: ArrayVec<usize, MOST_NEIGHBOURS> = ArrayVec::new();
-        let mut visible = 1.0;
+        let mut visible = [1.0; 4];
+        let quarters = [0, 1, 2, 3].map(|quarter| strips[number].quarter(quarter));
         let _ = pattern.grid.query(low - reach, high + reach, |other| {
             let other = other as usize;
             if other <= number + 1
@@ -84,15 +94,26 @@ pub(super) fn visible_shares(pattern: &Pattern, _cells: &CellPieces) -> Vec<f32>
             {
                 return ControlFlow::Continue(());
             }
-            visible *= 1.0 - strips[number].covered_by(&strips[other]);
+            for (visible, quarter) in visible.iter_mut().zip(&quarters) {
+                *visible *= 1.0 - quarter.covered_by(&strips[other]);
+            }
             match later.try_push(other) {
                 Ok(()) => ControlFlow::Continue(()),
                 Err(_) => ControlFlow::Break(()),
             }
         });
-        crate::single(visible.max(0.0))
+        visible.map(packed)
     };
     (0..count).into_par_iter().map(visible).collect()
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the cast saturates"
+)]
+fn packed(share: f64) -> u8 {
+    (share * 255.0 + 0.5) as u8
 }
 
 fn strip(pattern: &Pattern, number: usize) -> Strip {

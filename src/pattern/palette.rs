@@ -16,8 +16,9 @@ const MOST_POINTS: usize = 96;
 /// Vertices of the finest one.
 pub(crate) const MOST_CLASS_VERTICES: usize = 36;
 
-/// Classes are taken until every cross-section's slopes are this close to one, RMS radians, or there are enough.
-const CLOSE_ENOUGH_RAD: f32 = 0.03;
+/// Classes are taken until every cross-section's slopes are this close to one, RMS, as a share of the width of the
+/// smoothest finish's lobe, or there are enough.
+const CLOSE_ENOUGH: f32 = 0.15;
 
 /// Cross-sections that take less than this share of all scratched area ask for no class.
 const LEAST_SHARE: f64 = 1e-3;
@@ -102,6 +103,11 @@ impl Palette {
             .map(|&(_, track, station)| palette.shape(&track, station))
             .collect();
         let signatures: Vec<Signature> = shapes.iter().map(Shape::signature).collect();
+        let smoothest = palette
+            .finishes
+            .iter()
+            .map(Finish::alpha)
+            .fold(0.3, f32::min);
         let mut apart = vec![f32::INFINITY; choices.len()];
         let mut chosen: Vec<usize> = Vec::new();
         while chosen.len() < MOST_CLASSES {
@@ -111,7 +117,8 @@ impl Palette {
                 true => (0..choices.len()).max_by(|&a, &b| area(a).total_cmp(&area(b))),
                 false => (0..choices.len()).max_by(|&a, &b| apart[a].total_cmp(&apart[b])),
             };
-            let Some(worst) = worst.filter(|&worst| first || apart[worst] > CLOSE_ENOUGH_RAD)
+            let Some(worst) =
+                worst.filter(|&worst| first || apart[worst] > CLOSE_ENOUGH * smoothest)
             else {
                 break;
             };

@@ -23,8 +23,8 @@ pub struct Pattern {
     strands: Vec<Strand>,
     knots: Vec<[f32; 2]>,
     tracks: Tracks,
-    /// The share of each piece that later scratches leave.
-    visible: Vec<f32>,
+    /// What later scratches leave of the quarters of each piece, in 255ths.
+    visible: Vec<[u8; 4]>,
     pub(crate) palette: Palette,
     pub(super) pyramid: Pyramid,
     pub(super) grid: Grid,
@@ -92,7 +92,7 @@ impl Pattern {
             grid,
             tracks,
         };
-        pattern.visible = visible_shares(&pattern, &cells);
+        pattern.visible = visible_shares(&pattern);
         pattern.palette = Palette::new(&pattern.tracks, &pattern.station_areas());
         pattern.tracks.blends = pattern.palette.blends(&pattern.tracks);
         pattern.pyramid = Pyramid::new(&pattern, &cells);
@@ -123,8 +123,9 @@ impl Pattern {
         areas
     }
 
-    pub(super) fn visible_share(&self, piece: usize) -> f32 {
-        self.visible.get(piece).copied().unwrap_or(1.0)
+    /// What later scratches leave of the quarters of a piece, in 255ths.
+    pub(super) fn visible(&self, piece: usize) -> [u8; 4] {
+        self.visible.get(piece).copied().unwrap_or([255; 4])
     }
 
     /// How many scratches it holds.

@@ -109,8 +109,11 @@ impl Pattern {
                 .abs();
         let needed = (turn / CHORD_RAD).max(course.change(&track, from, to) / CHORD_CHANGE);
         let count = (1..MOST_CHORDS).find(|&count| needed <= f64::from(count));
-        let count = count.unwrap_or(MOST_CHORDS);
-        let visible = f64::from(self.visible_share(number));
+        let visible = self.visible(number);
+        let is_even = visible.iter().all(|quarter| *quarter == visible[0]);
+        let count = count
+            .unwrap_or(MOST_CHORDS)
+            .max(if is_even { 1 } else { 4 });
         debug_assert!(piece.end_at > 0.0, "a piece has a length");
         let mut start = control[0];
         for i in 0..count {
@@ -120,6 +123,8 @@ impl Pattern {
             let place = course.value(at);
             let [left, right] = track.ends(place).map(f64::from);
             let travel = (end - start) * self.units_per_uv;
+            let quarter = (4 * i + 2) / count;
+            let visible = f64::from(visible[quarter.min(3) as usize]) / 255.0;
             let area_mm2 = travel.length() * self.mm_per_scene_unit * (right - left) * visible;
             visit(Chord {
                 ends: [start, end],

@@ -45,8 +45,6 @@ pub(crate) struct Hit<'p> {
     /// The part of the footprint beside this run of the scratch, and what of that it covers.
     pub region: Region,
     pub cover: Option<Region>,
-    /// The share of its piece that later scratches leave.
-    pub visible: f32,
 }
 
 impl Hit<'_> {
@@ -116,6 +114,13 @@ impl Reach<'_> {
     }
 }
 
+/// In order, each once.
+fn sort_out(found: &mut Candidates) {
+    found.sort_unstable();
+    let mut last = None;
+    found.retain(|number| last.replace(*number) != Some(*number));
+}
+
 /// Whether a curve lies beside a box: for long oblique pieces their own box says little.
 fn misses(control: &[DVec2; 4], low: DVec2, high: DVec2) -> bool {
     let [from, to] = bounds(control);
@@ -150,14 +155,16 @@ impl Pattern {
             {
                 return ControlFlow::Continue(());
             }
-            match found.try_push(number) {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(_) => ControlFlow::Break(()),
+            if found.is_full() {
+                sort_out(found);
+                if found.len() > MOST_CANDIDATES / 2 {
+                    return ControlFlow::Break(());
+                }
             }
+            found.push(number);
+            ControlFlow::Continue(())
         });
-        found.sort_unstable();
-        let mut last = None;
-        found.retain(|number| last.replace(*number) != Some(*number));
+        sort_out(found);
         flow.is_continue()
     }
 
@@ -385,7 +392,6 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             ],
             region,
             cover: None,
-            visible: self.pattern.visible_share(first.number),
         };
         hit.cover = hit.covered(hit.ends_mm(), region);
         Some(hit)

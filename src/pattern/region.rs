@@ -65,6 +65,13 @@ impl Region {
         (0..corners.len()).map(|i| (corners[i], corners[(i + 1) % corners.len()]))
     }
 
+    /// Its lowest and highest coordinates.
+    pub(crate) fn bounds(&self) -> [DVec2; 2] {
+        let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        let corners = self.corners().iter();
+        corners.fold(empty, |[low, high], p| [low.min(*p), high.max(*p)])
+    }
+
     pub(crate) fn area(&self) -> f64 {
         0.5 * self.edges().map(|(a, b)| a.perp_dot(b)).sum::<f64>()
     }

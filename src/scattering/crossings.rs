@@ -44,6 +44,25 @@ pub(crate) fn uncut(hits: &[Hit<'_>], i: usize, pixel_area: f64) -> Option<Parts
     Some(left)
 }
 
+/// About the share of run `i` that is left, for one among many: as if those that cut it did so independently
+/// of one another.
+pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
+    let run = &hits[i];
+    let Some(own) = run.cover else { return 0.0 };
+    let [low, high] = own.bounds();
+    let (ends, area) = (run.ends_mm(), own.area());
+    let mut left = 1.0;
+    for later in &hits[i + 1..] {
+        let Some(cover) = later.cover else { continue };
+        let [from, to] = cover.bounds();
+        if from.cmple(high).all() && to.cmpge(low).all() && !later.adjoins(run) {
+            let cut = run.covered(ends, cover).map_or(0.0, |cut| cut.area());
+            left *= 1.0 - (cut / area).min(1.0);
+        }
+    }
+    left
+}
+
 /// Whether a later run covers anything near an earlier one.
 fn reaches(later: &Hit<'_>, run: &Hit<'_>, pixel_area: f64) -> bool {
     let [from, to] = run.ends_mm();

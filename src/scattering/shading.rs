@@ -1,6 +1,6 @@
 //! One shading point seen from one direction: everything that does not depend on the light.
 
-use super::crossings::uncut;
+use super::crossings::{uncut, uncut_share};
 use super::flocks::{Flock, Flocks, MOST_FLOCKS};
 use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, MOST_SLOTS, Relief, Zones};
 use crate::brdf::{Brdf, Finish, Pair};
@@ -278,7 +278,8 @@ impl Shading {
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(Crowd::new);
-                pattern.add_run(crowd, hit, reach, rest * area * f64::from(hit.visible));
+                let left = uncut_share(&hits, i);
+                pattern.add_run(crowd, hit, reach, rest * area * left);
             }
         }
         true
