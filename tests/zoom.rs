@@ -8,7 +8,7 @@ use striae::brdf::Metal;
 use striae::formation::{Material, Tool};
 use striae::pattern::{Key, Path, Pattern, Scratch};
 use support::jumps::largest_jump;
-use support::{SHEET_MM, Sheet, dark_sheet, direction, ggx, lambert, random, relative, sheet_of};
+use support::{SHEET_MM, Sheet, direction, ggx, lambert, random, relative, sheet_of};
 
 /// A square of this side is scratched.
 const SIDE_MM: f64 = 300.0;

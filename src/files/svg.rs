@@ -5,7 +5,9 @@ use super::read::read;
 use super::text::without_mark;
 use crate::error::{Error, in_range};
 use crate::formation::{DepthLaw, Material, Orientation, Process, Tool, Wanted};
-use crate::pattern::{Held, Key, Path as Curves, PatternBuilder, Scratch, tapered};
+use crate::pattern::{
+    Held, Key, Path as Curves, PatternBuilder, Scratch, Spline, SplineKind, tapered,
+};
 use glam::{DMat2, DVec2};
 use std::path::Path;
 use usvg::tiny_skia_path::{PathSegment, Point, Transform};
@@ -90,24 +92,36 @@ impl SvgPaths {
     /// Errors: what [`PatternBuilder::add`] and [`Process::for_wanted`] refuse, with the path's number and id.
     pub fn add_to(&self, builder: &mut PatternBuilder, scratches: &SvgScratches<'_>) -> Result<()> {
         scratches.check()?;
-        let mut grown = builder.clone();
         let mut keys = Vec::new();
-        for (i, path) in self.paths.iter().enumerate() {
-            let added = scratches.full(path, &grown).and_then(|full| {
-                tapered(full, scratches.taper, &mut keys);
-                grown.add(&Scratch {
-                    material: scratches.material,
-                    depth_law: scratches.depth_law,
-                    held: scratches.held,
-                    path: Curves::CubicBezier(&path.points_uv),
-                    keys: &keys,
-                    ..Scratch::new(scratches.tool)
-                })
-            });
-            added.map_err(|error| FileError::within(path.named(i), error))?;
-        }
-        *builder = grown;
-        Ok(())
+        builder.all_or_none(|builder| {
+            for (i, path) in self.paths.iter().enumerate() {
+                let added = scratches.full(path, builder).and_then(|full| {
+                    tapered(full, scratches.taper, &mut keys);
+                    builder.add(&Scratch {
+                        material: scratches.material,
+                        depth_law: scratches.depth_law,
+                        held: scratches.held,
+                        path: path.curve(),
+                        keys: &keys,
+                        ..Scratch::new(scratches.tool)
+                    })
+                });
+                added.map_err(|error| FileError::within(path.named(i), error))?;
+            }
+            Ok(())
+        })
+    }
+}
+
+impl SvgPath {
+    fn curve(&self) -> Curves<'_> {
+        // A closed curve's points are told without the first one's repetition.
+        let count = self.points_uv.len() - usize::from(self.closed);
+        Curves::Spline(Spline {
+            kind: SplineKind::CubicBezier,
+            points: &self.points_uv[..count],
+            closed: self.closed,
+        })
     }
 }
 

@@ -219,6 +219,21 @@ impl Tool {
         tool.expect("a preset's sizes lie in their ranges")
     }
 
+    /// Of all orientations that are one for this tool, the same one: a cone looks alike from all sides.
+    pub(crate) fn plainest(&self, orientation: Orientation) -> Orientation {
+        let is_round = matches!(self.shape, Shape::SpheroCone { .. });
+        let is_upright = orientation.tilt_deg == 0.0;
+        // Angles out of range are kept, to be refused by name.
+        match orientation.check() {
+            Ok(held) if is_round => Orientation {
+                spin_deg: 0.0,
+                azimuth_deg: if is_upright { 0.0 } else { held.azimuth_deg },
+                ..held
+            },
+            _ => orientation,
+        }
+    }
+
     /// Whether two tools are the same; meshes that share their memory are not compared point by point.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (&self.shape, &other.shape) {

@@ -14,6 +14,9 @@ use crate::single;
 use glam::DVec2;
 use rayon::prelude::*;
 
+/// Scratches that are prepared at once.
+pub(crate) const PORTION: usize = 16_384;
+
 /// Collects scratches. Each is checked as it is added.
 #[derive(Clone, Debug)]
 pub struct PatternBuilder {
@@ -91,18 +94,42 @@ impl PatternBuilder {
     }
 
     /// Adds scratches in their order, prepared on all cores: the result is that of adding one by one. If one is
-    /// refused, those before it have been added; the error names its number.
+    /// refused, the builder is as it was; the error names its number.
     pub fn add_all(&mut self, scratches: &[Scratch<'_>]) -> Result<()> {
-        // In portions: what is prepared and not yet kept takes memory.
-        const PORTION: usize = 16_384;
-        for (i, portion) in scratches.chunks(PORTION).enumerate() {
-            let prepared: Vec<_> = portion.par_iter().map(|one| self.prepare(one)).collect();
-            for (k, (scratch, prepared)) in portion.iter().zip(prepared).enumerate() {
-                let kept = prepared.and_then(|prepared| self.keep(scratch, prepared));
-                kept.map_err(|error| error.within("scratches", i * PORTION + k))?;
+        self.all_or_none(|builder| {
+            // In portions: what is prepared and not yet kept takes memory.
+            for (i, portion) in scratches.chunks(PORTION).enumerate() {
+                builder.add_portion(portion, i * PORTION)?;
             }
+            Ok(())
+        })
+    }
+
+    /// Adds scratches, the first of which has this number in what its author states.
+    pub(crate) fn add_portion(&mut self, scratches: &[Scratch<'_>], first: usize) -> Result<()> {
+        let prepared: Vec<_> = scratches.par_iter().map(|one| self.prepare(one)).collect();
+        for (i, (scratch, prepared)) in scratches.iter().zip(prepared).enumerate() {
+            let kept = prepared.and_then(|prepared| self.keep(scratch, prepared));
+            kept.map_err(|error| error.within("scratches", first + i))?;
         }
         Ok(())
+    }
+
+    /// Calls `add`; if that fails, takes back what it added.
+    pub(crate) fn all_or_none<E>(
+        &mut self,
+        add: impl FnOnce(&mut Self) -> core::result::Result<(), E>,
+    ) -> core::result::Result<(), E> {
+        let (points, pieces) = (self.chains.points.len(), self.chains.pieces.len());
+        let (own, scratches) = (self.own.len(), self.scratches.len());
+        let added = add(self);
+        if added.is_err() {
+            self.chains.points.truncate(points);
+            self.chains.pieces.truncate(pieces);
+            self.own.truncate(own);
+            self.scratches.truncate(scratches);
+        }
+        added
     }
 
     fn prepare(&self, scratch: &Scratch<'_>) -> Result<Prepared> {

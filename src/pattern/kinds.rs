@@ -38,8 +38,8 @@ impl Kinds {
     /// Errors: what the keys state leaves no valid cross-section.
     pub(crate) fn place(&mut self, scratch: &Scratch<'_>, surface: &Material) -> Result<u32> {
         let material = scratch.material.unwrap_or(surface);
-        let orientation = scratch.keys[0].orientation;
-        let hash = hash(scratch, material);
+        let orientation = scratch.tool.plainest(scratch.keys[0].orientation);
+        let hash = hash(scratch, orientation, material);
         let known = self.by_hash.entry(hash).or_default();
         let same = known.iter().copied().find(|&number| {
             let kind = &self.kinds[number as usize];
@@ -73,13 +73,13 @@ impl Kinds {
     }
 }
 
-fn hash(scratch: &Scratch<'_>, material: &Material) -> u64 {
+fn hash(scratch: &Scratch<'_>, orientation: Orientation, material: &Material) -> u64 {
     let mut hasher = DefaultHasher::new();
     let Orientation {
         spin_deg,
         tilt_deg,
         azimuth_deg,
-    } = scratch.keys[0].orientation;
+    } = orientation;
     let numbers = [spin_deg, tilt_deg, azimuth_deg, material.hardness_hv];
     numbers
         .map(|number| (number + 0.0).to_bits())

@@ -133,3 +133,32 @@ fn meshes_lie_beside_the_file() {
         "{message}"
     );
 }
+
+/// Every kind of curve that the page names can be built, and knots belong to one kind only.
+#[test]
+fn every_kind_of_curve() {
+    let file = |curve: &str, rest: &str| {
+        let square = "[[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]";
+        let path = format!(r#""curve": "{curve}", {rest} "points_uv": {square}"#);
+        let text = SMALL.replace(r#""points_uv": [[0.1, 0.5], [0.9, 0.5]]"#, &path);
+        PatternFile::parse(&text).unwrap().builder(Path::new("."))
+    };
+    for (curve, rest) in [
+        ("polyline", ""),
+        ("polyline", r#""closed": true,"#),
+        ("cubic_bezier", ""),
+        ("catmull_rom", r#""closed": true,"#),
+        ("b_spline", r#""closed": true,"#),
+        ("b_spline", ""),
+        (
+            "non_uniform_b_spline",
+            r#""knots": [0, 0, 0, 0, 1, 1, 1, 1],"#,
+        ),
+    ] {
+        assert!(file(curve, rest).is_ok(), "{curve} {rest}");
+    }
+    let refused = file("b_spline", r#""knots": [0, 1],"#)
+        .unwrap_err()
+        .to_string();
+    assert!(refused.contains("knots"), "{refused}");
+}

@@ -143,6 +143,14 @@ fn tool(random: &mut StdRng) -> ToolEntry {
     }
 }
 
+const CURVES: [CurveKind; 5] = [
+    CurveKind::Polyline,
+    CurveKind::CubicBezier,
+    CurveKind::CatmullRom,
+    CurveKind::BSpline,
+    CurveKind::NonUniformBSpline,
+];
+
 fn scratch(random: &mut StdRng) -> ScratchEntry {
     let laws = [
         DepthLaw::Bosch2004,
@@ -154,7 +162,9 @@ fn scratch(random: &mut StdRng) -> ScratchEntry {
         material: maybe(random, name),
         depth_law: pick(random, &laws),
         held: pick(random, &[Held::ToPath, Held::ToSurface]),
-        curve: pick(random, &[CurveKind::Polyline, CurveKind::CubicBezier]),
+        curve: pick(random, &CURVES),
+        closed: random.random(),
+        knots: some(random, number),
         points_uv: some(random, pair),
         keys: some(random, |random| KeyEntry {
             at: number(random),

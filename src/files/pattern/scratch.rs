@@ -3,8 +3,9 @@
 use super::super::error::Result;
 use super::json::{is_default, is_zero};
 use super::{Made, named};
+use crate::error::Error;
 use crate::formation::{DepthLaw, Material, Orientation, Tool};
-use crate::pattern::{Held, Key, Path, PatternBuilder, Scratch};
+use crate::pattern::{Held, Key, Path, PatternBuilder, Scratch, Spline, SplineKind};
 use serde::{Deserialize, Serialize};
 
 /// A scratch.
@@ -25,6 +26,12 @@ pub struct ScratchEntry {
     /// What lies between the points.
     #[serde(default, skip_serializing_if = "is_default")]
     pub curve: CurveKind,
+    /// The path ends where it begins.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub closed: bool,
+    /// Knots of a `non_uniform_b_spline`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub knots: Vec<f64>,
     /// The path's points, (u, v).
     pub points_uv: Vec<[f64; 2]>,
     /// Force and orientation along the path, one or more.
@@ -54,31 +61,43 @@ pub struct KeyEntry {
     pub azimuth_deg: f64,
 }
 
-/// Makes the enumeration of kinds of curve from the paths that they become: a kind is a line.
-macro_rules! curve_kinds {
-    ($($(#[$attribute:meta])* $kind:ident = $path:expr,)+) => {
-        /// What lies between a path's points.
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-        #[serde(rename_all = "snake_case")]
-        pub enum CurveKind {
-            $($(#[$attribute])* $kind,)+
-        }
-
-        impl CurveKind {
-            fn path(self, points_uv: &[[f64; 2]]) -> Path<'_> {
-                match self {
-                    $(Self::$kind => ($path)(points_uv),)+
-                }
-            }
-        }
-    };
+/// What lies between a path's points: see [`SplineKind`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CurveKind {
+    /// [`SplineKind::Polyline`].
+    #[default]
+    Polyline,
+    /// [`SplineKind::CubicBezier`].
+    CubicBezier,
+    /// [`SplineKind::CatmullRom`].
+    CatmullRom,
+    /// [`SplineKind::BSpline`].
+    BSpline,
+    /// [`SplineKind::NonUniformBSpline`], with the scratch's knots.
+    NonUniformBSpline,
 }
 
-curve_kinds! {
-    /// [`Path::Polyline`].
-    #[default] Polyline = Path::Polyline,
-    /// [`Path::CubicBezier`].
-    CubicBezier = Path::CubicBezier,
+impl ScratchEntry {
+    fn path(&self) -> Result<Path<'_>> {
+        let knots = &self.knots;
+        if self.curve != CurveKind::NonUniformBSpline && !knots.is_empty() {
+            let accepted = "none, or a non_uniform_b_spline";
+            return Err(Error::count("knots", knots.len(), accepted).into());
+        }
+        let kind = match self.curve {
+            CurveKind::Polyline => SplineKind::Polyline,
+            CurveKind::CubicBezier => SplineKind::CubicBezier,
+            CurveKind::CatmullRom => SplineKind::CatmullRom,
+            CurveKind::BSpline => SplineKind::BSpline,
+            CurveKind::NonUniformBSpline => SplineKind::NonUniformBSpline { knots },
+        };
+        Ok(Path::Spline(Spline {
+            kind,
+            points: &self.points_uv,
+            closed: self.closed,
+        }))
+    }
 }
 
 impl From<&KeyEntry> for Key {
@@ -108,7 +127,7 @@ impl ScratchEntry {
             material: material(self.material.as_deref(), materials)?,
             depth_law: self.depth_law,
             held: self.held,
-            path: self.curve.path(&self.points_uv),
+            path: self.path()?,
             keys: &keys,
             ..Scratch::new(named("tool", &self.tool, tools, "tools")?)
         };

@@ -17,11 +17,13 @@ pub(crate) use strokes::tapered;
 pub use strokes::{Stroke, Strokes};
 pub use styles::Style;
 
+use super::builder::PORTION;
 use super::scratch::Held;
 use super::{PatternBuilder, Scratch};
 use crate::error::{Error, Result, in_range};
 use crate::formation::{DepthLaw, Material, Orientation, Tool};
 use distribution::fields;
+use rayon::prelude::*;
 
 /// Most scratches of one generator.
 const MOST: f64 = 1e8;
@@ -182,17 +184,22 @@ impl PatternBuilder {
         let strokes = generated
             .generator
             .strokes(self.mm_per_uv(), generated.seed)?;
-        let mut grown = self.clone();
-        strokes.try_for_each(0..strokes.count(), |number, stroke| {
-            let scratch = Scratch {
-                material: generated.material,
-                ..stroke.scratch(generated.tool)
-            };
-            grown
-                .add(&scratch)
-                .map_err(|error| error.within("scratches", number as usize))
+        let count = strokes.count() as usize;
+        self.all_or_none(|builder| {
+            let mut portion = vec![Stroke::default(); PORTION.min(count)];
+            for first in (0..count).step_by(PORTION) {
+                portion.truncate(count - first);
+                let numbered = portion.par_iter_mut().enumerate();
+                numbered.for_each(|(i, stroke)| strokes.stroke(whole((first + i) as f64), stroke));
+                let scratch = |stroke| Scratch {
+                    material: generated.material,
+                    ..Stroke::scratch(stroke, generated.tool)
+                };
+                let scratches: Vec<Scratch<'_>> = portion.iter().map(scratch).collect();
+                builder.add_portion(&scratches, first)?;
+            }
+            Ok(())
         })?;
-        *self = grown;
         Ok(strokes.count())
     }
 }
