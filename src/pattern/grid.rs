@@ -139,6 +139,13 @@ impl Grid {
         ControlFlow::Continue(())
     }
 
+    /// Memory of all arrays.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&self.cells[..])
+            + size_of_val(&self.starts[..])
+            + size_of_val(&self.entries[..])
+    }
+
     /// The pieces of a part.
     fn list(&self, part: u32) -> &[u32] {
         let start = |i: u32| {

@@ -36,7 +36,7 @@ pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes,
 pub(crate) use layers::Layered;
 pub(crate) use palette::{MOST_CLASS_VERTICES, Palette};
 pub use path::{Curve, Path};
-pub use pattern::Pattern;
+pub use pattern::{Pattern, PatternMemory};
 pub(crate) use point::Metric;
 pub use point::{Footprint, Frame, SurfacePoint};
 pub(crate) use query::{Candidates, Hit, Reach};

@@ -7,6 +7,7 @@ use super::overlap::visible_shares;
 use super::palette::Palette;
 use super::pieces::{Curves, Piece};
 use super::prefilter::Pyramid;
+use super::query::Candidates;
 use super::tracks::{Extent, TrackRef, Tracks};
 use crate::brdf::Finish;
 use glam::DVec2;
@@ -36,6 +37,15 @@ pub struct Pattern {
     pub(super) run_cos: f64,
     /// Vertices of the finest cross-section.
     pub(crate) most_vertices: usize,
+}
+
+/// How much memory a pattern takes, bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PatternMemory {
+    /// Control points of all pieces, 16 bytes each.
+    pub control_points: usize,
+    /// All else: pieces, cross-sections, the grid, what is prefiltered.
+    pub rest: usize,
 }
 
 /// One scratch: where its share of the arrays begins, and what is its alone.
@@ -131,6 +141,36 @@ impl Pattern {
     /// How many scratches it holds.
     pub fn scratch_count(&self) -> usize {
         self.strands.len()
+    }
+
+    /// How much memory it takes: all its arrays.
+    pub fn memory_bytes(&self) -> PatternMemory {
+        let control_points = size_of_val(&self.points[..]);
+        let rest = size_of_val(&self.pieces[..])
+            + size_of_val(&self.strands[..])
+            + size_of_val(&self.knots[..])
+            + size_of_val(&self.visible[..])
+            + self.tracks.bytes()
+            + self.pyramid.bytes()
+            + self.grid.bytes();
+        PatternMemory {
+            control_points,
+            rest,
+        }
+    }
+
+    /// How many pieces touch a box in (u, v): the index alone, for its bench.
+    #[doc(hidden)]
+    pub fn count_near(&self, low_uv: [f64; 2], high_uv: [f64; 2]) -> usize {
+        let mut found = Candidates::new();
+        self.pieces_near(DVec2::from(low_uv), DVec2::from(high_uv), &mut found);
+        found.len()
+    }
+
+    /// Bytes of the index alone, for its bench.
+    #[doc(hidden)]
+    pub fn index_bytes(&self) -> usize {
+        self.grid.bytes()
     }
 
     pub(super) fn curves(&self) -> Curves<'_> {

@@ -178,6 +178,13 @@ impl Pyramid {
         pyramid
     }
 
+    /// Memory of all arrays.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&self.levels[..])
+            + size_of_val(&self.starts[..])
+            + size_of_val(&self.entries[..])
+    }
+
     fn push(&mut self, raster: Raster, cells: &[Vec<Packed>]) {
         let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
         if self.starts.is_empty() {

@@ -145,6 +145,11 @@ impl Pattern {
     /// The pieces near a footprint; false if they are too many to be looked at one by one.
     pub(crate) fn candidates(&self, reach: &Reach<'_>, found: &mut Candidates) -> bool {
         let [low, high] = reach.box_uv();
+        self.pieces_near(low, high, found)
+    }
+
+    /// The pieces near a box in (u, v); false if they are too many.
+    pub(super) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
         let curves = self.curves();
         if self.grid.raster.count_touched(low, high) > MOST_CELLS {
             return false;

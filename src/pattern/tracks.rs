@@ -137,6 +137,15 @@ impl Tracks {
         self.stations.len()
     }
 
+    /// Memory of all arrays.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&self.records[..])
+            + size_of_val(&self.stations[..])
+            + size_of_val(&self.vertices[..])
+            + size_of_val(&self.layers[..])
+            + size_of_val(&self.blends[..])
+    }
+
     /// All different finishes.
     pub(crate) fn finishes(&self) -> Vec<Finish> {
         let layers = self.layers.iter().map(|layer| layer.finish);
