@@ -1044,6 +1044,61 @@ typedef struct StriaeShading {
   uint64_t opaque[1023];
 } StriaeShading;
 
+/**
+ * One scratch in a footprint. Coverage is that of the whole footprint; all else is told of the scratch's place that is
+ * nearest to the footprint's centre.
+ */
+typedef struct StriaeHit {
+  /**
+   * Number of the scratch in order of adding, from 0: those of a generator or a file count one by one.
+   */
+  uint32_t scratch;
+  /**
+   * The share of the footprint that the scratch covers with its rims, less what later scratches cut: above 0, to 1.
+   */
+  float coverage;
+  /**
+   * From the scratch's start along its path, scene units.
+   */
+  double arc_length;
+  /**
+   * From the centre line to the footprint's centre, mm, to the right of travel.
+   */
+  double offset_mm;
+  /**
+   * Unit direction of travel in the local frame; z is 0. striae_frame_to_world() turns it into the renderer's.
+   */
+  float travel[3];
+  /**
+   * How deep the cross-section lies below the unscratched surface at the footprint's centre, mm; negative on the
+   * piled-up rims, 0 beside the scratch. What a later scratch cuts away there counts as if it were still there.
+   */
+  float depth_mm;
+  /**
+   * The cross-section's depth where it is deepest, mm.
+   */
+  float deepest_mm;
+} StriaeHit;
+
+/**
+ * How many scratches a footprint holds.
+ */
+typedef struct StriaeHitCount {
+  /**
+   * Hits that were written: the smaller one of `found` and the capacity.
+   */
+  size_t written;
+  /**
+   * Scratches that were told apart.
+   */
+  size_t found;
+  /**
+   * 1 if these are all, 0 if not: a footprint over thousands of scratches is not searched to its end, so that it
+   * has others that are not counted, and perhaps none that is.
+   */
+  uint32_t complete;
+} StriaeHitCount;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -1551,6 +1606,24 @@ enum StriaeStatus striae_eval(const struct StriaeShading *shading,
                               const float light[3],
                               uint32_t flags,
                               float f[3]);
+
+/**
+ * The scratches in a footprint, whoever looks: for masks, labels and what else a renderer writes beside light.
+ * The one that covers the largest share comes first, of equal ones the latest, which lies on top. Never
+ * allocates, locks or blocks, and a footprint with any number of scratches is no failure; any number of threads at
+ * once.
+ *
+ * @param pattern the pattern
+ * @param point the point; a STRIAE_FOOTPRINT_POINT tells what lies right there
+ * @param hits receives the first `capacity` ones, may be NULL with a capacity of 0; need not be initialised
+ * @param capacity how many `hits` can hold
+ * @param count receives how many there are; zeros if the point is refused, so that a render goes on
+ */
+enum StriaeStatus striae_pattern_query(const struct StriaePattern *pattern,
+                                       const struct StriaePoint *point,
+                                       struct StriaeHit *hits,
+                                       size_t capacity,
+                                       struct StriaeHitCount *count);
 
 #ifdef __cplusplus
 }  // extern "C"

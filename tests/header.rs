@@ -19,6 +19,7 @@ fn header_is_fresh() {
         "generator",
         "svg",
         "shading",
+        "hits",
     ];
     let builder = sources
         .iter()

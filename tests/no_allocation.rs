@@ -1,4 +1,5 @@
-//! Nothing allocates once a pattern is built: not shading, not evaluating, not being refused.
+//! Nothing allocates once a pattern is built: not shading, not evaluating, not asking for scratches, not
+//! being refused.
 
 mod support;
 
@@ -8,7 +9,7 @@ use std::fmt::Write;
 use std::hint::black_box;
 use striae::brdf::Metal;
 use striae::formation::{Material, Tool};
-use striae::pattern::{Footprint, Frame, Key, Path, Pattern, Scratch, SurfacePoint};
+use striae::pattern::{Footprint, Frame, Key, Path, Pattern, Scratch, ScratchHit, SurfacePoint};
 use striae::scattering::{CrossFootprint, Output, Shading};
 use support::crowd::add;
 use support::{SHEET_MM, direction, ggx, sheet_of};
@@ -115,7 +116,7 @@ impl Write for Nowhere {
 /// Every public call of render time, good and refused.
 fn render(pattern: &Pattern) -> f32 {
     let mut shading = Shading::default();
-    let (mut sum, mut covered, mut refused) = (0.0, 0, 0);
+    let (mut sum, mut covered, mut refused, mut told) = (0.0, 0, 0, 0);
     let footprints = [
         Footprint::Point,
         Footprint::Radius(0.001),
@@ -173,6 +174,11 @@ fn render(pattern: &Pattern) -> f32 {
             if let Ok(frame) = Frame::at(&point) {
                 sum += frame.to_world(frame.to_local(frame.x)).x;
             }
+            let mut hits = [ScratchHit::default(); 4];
+            match pattern.hits(&point, &mut hits) {
+                Ok(found) => told += found.count,
+                Err(error) => write!(Nowhere, "{error}").unwrap(),
+            }
             for view in views {
                 if let Err(error) = shading.shade(pattern, &point, view) {
                     // To say what was wrong costs nothing either.
@@ -208,7 +214,7 @@ fn render(pattern: &Pattern) -> f32 {
         }
     }
     assert!(
-        sum > 0.0 && covered > 100 && refused > 100,
+        sum > 0.0 && covered > 100 && refused > 100 && told > 100,
         "nothing was rendered"
     );
     sum

@@ -26,25 +26,41 @@ pub(super) unsafe fn array<'a, T>(
     pointer: *const T,
     count: usize,
 ) -> Result<&'a [T]> {
+    check_array(names, pointer, count)?;
     if count == 0 {
         return Ok(&[]);
     }
-    if pointer.is_null() {
-        return Err(Error::text(
-            names[0],
-            "NULL",
-            "a valid pointer (or a count of 0)",
-        ));
-    }
-    if count > isize::MAX.unsigned_abs() / size_of::<T>().max(1) {
-        return Err(Error::count(
-            names[1],
-            count,
-            "no more elements than memory can hold",
-        ));
-    }
     // SAFETY: not NULL, no longer than an object can be; the rest as promised by the caller.
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
+}
+
+/// An array that C wants filled; as [`array`].
+///
+/// # Safety
+/// `pointer` is NULL or points to `count` elements, valid whatever their bits, that nothing else uses during the call.
+pub(super) unsafe fn exclusive_array<'a, T>(
+    names: [&'static str; 2],
+    pointer: *mut T,
+    count: usize,
+) -> Result<&'a mut [T]> {
+    check_array(names, pointer, count)?;
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    // SAFETY: not NULL, no longer than an object can be; the rest as promised by the caller.
+    Ok(unsafe { core::slice::from_raw_parts_mut(pointer, count) })
+}
+
+fn check_array<T>(names: [&'static str; 2], pointer: *const T, count: usize) -> Result<()> {
+    if pointer.is_null() && count > 0 {
+        let accepted = "a valid pointer (or a count of 0)";
+        return Err(Error::text(names[0], "NULL", accepted));
+    }
+    if count > isize::MAX.unsigned_abs() / size_of::<T>().max(1) {
+        let accepted = "no more elements than memory can hold";
+        return Err(Error::count(names[1], count, accepted));
+    }
+    Ok(())
 }
 
 /// Makes a new shared handle and writes it to `out`; on failure `out` (if not NULL) becomes NULL.

@@ -21,6 +21,7 @@ mod files;
 mod generator;
 mod handle;
 mod hardness;
+mod hits;
 mod material;
 mod pattern;
 #[cfg(feature = "files")]
@@ -37,6 +38,7 @@ pub use cross_section::*;
 pub use files::*;
 pub use generator::*;
 pub use hardness::*;
+pub use hits::*;
 pub use material::*;
 pub use pattern::*;
 #[cfg(feature = "files")]

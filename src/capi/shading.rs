@@ -77,7 +77,7 @@ const _: () = assert!(
 );
 
 impl StriaePoint {
-    fn surface_point(&self) -> (SurfacePoint, Result<()>) {
+    pub(super) fn surface_point(&self) -> (SurfacePoint, Result<()>) {
         let (footprint, checked) = match self.footprint {
             0 => (Footprint::Point, Ok(())),
             1 => (Footprint::Radius(self.radius), Ok(())),

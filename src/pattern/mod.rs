@@ -8,9 +8,11 @@ mod along;
 mod builder;
 mod closest;
 mod course;
+mod crossings;
 mod crowd;
 mod generator;
 mod grid;
+mod hits;
 mod kinds;
 mod layers;
 mod overlap;
@@ -29,10 +31,12 @@ mod track;
 mod tracks;
 
 pub use builder::PatternBuilder;
+pub(crate) use crossings::{uncut, uncut_share};
 pub(crate) use crowd::Crowd;
 #[cfg(feature = "svg")]
 pub(crate) use generator::tapered;
 pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes, Style};
+pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
 pub(crate) use palette::{MOST_CLASS_VERTICES, Palette};
 pub use path::{Curve, Path};

@@ -191,6 +191,12 @@ impl Pattern {
         Some((self.tracks.get(strand.track)?, course))
     }
 
+    /// A scratch's arc length, scene units.
+    pub(super) fn length_of(&self, scratch: u32) -> f64 {
+        let strand = self.strands.get(scratch as usize);
+        strand.map_or(0.0, |strand| strand.length.into())
+    }
+
     /// The first and the last piece of a scratch.
     pub(super) fn pieces_of(&self, scratch: u32) -> [usize; 2] {
         let first = |scratch: usize| self.strands.get(scratch).map(|s| s.first_piece as usize);

@@ -4,7 +4,6 @@
 //! each zone shows of itself, and how much that weighs in the pixel. Each light then costs a pass over the
 //! zones ([`Shading::eval`]). Nothing here allocates, locks or fails.
 
-mod crossings;
 mod flocks;
 mod footprint;
 mod relief;

@@ -1,6 +1,5 @@
 //! One shading point seen from one direction: everything that does not depend on the light.
 
-use super::crossings::{uncut, uncut_share};
 use super::flocks::{Flock, Flocks, MOST_FLOCKS};
 use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, MOST_SLOTS, Relief, Zones};
 use crate::brdf::{Brdf, Finish, Pair};
@@ -8,7 +7,7 @@ use crate::error::{Error, Result, all_finite, in_range};
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
     Candidates, Crowd, Frame, Hit, Layered, MOST_VERTICES, Metric, Pattern, Reach, Region,
-    SurfacePoint,
+    SurfacePoint, uncut, uncut_share,
 };
 use crate::single;
 use arrayvec::ArrayVec;

@@ -1,6 +1,7 @@
 //! Where scratches cross, the later one cuts the earlier: its groove and peaks replace what was there.
 
-use crate::pattern::{Hit, Region};
+use super::query::Hit;
+use super::region::Region;
 use arrayvec::ArrayVec;
 
 /// Parts that crossings may cut a run's share of the pixel into.
