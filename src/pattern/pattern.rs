@@ -133,6 +133,12 @@ impl Pattern {
         areas
     }
 
+    /// The share of a piece that later scratches leave.
+    pub(super) fn visible_share(&self, piece: usize) -> f32 {
+        let quarters = self.visible(piece).map(f32::from);
+        quarters.iter().sum::<f32>() / (4.0 * 255.0)
+    }
+
     /// What later scratches leave of the quarters of a piece, in 255ths.
     pub(super) fn visible(&self, piece: usize) -> [u8; 4] {
         self.visible.get(piece).copied().unwrap_or([255; 4])

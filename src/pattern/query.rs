@@ -45,6 +45,8 @@ pub(crate) struct Hit<'p> {
     /// The part of the footprint beside this run of the scratch, and what of that it covers.
     pub region: Region,
     pub cover: Option<Region>,
+    /// The share of its piece that later scratches leave.
+    pub visible: f32,
 }
 
 impl Hit<'_> {
@@ -397,6 +399,7 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             ],
             region,
             cover: None,
+            visible: self.pattern.visible_share(first.number),
         };
         hit.cover = hit.covered(hit.ends_mm(), region);
         Some(hit)
