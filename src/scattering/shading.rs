@@ -186,7 +186,7 @@ impl Shading {
         self.coverage
     }
 
-    /// How many runs of scratch the footprint holds.
+    /// How many runs of scratch the footprint holds; each sector of a hard end counts as one.
     pub fn scratch_count(&self) -> u32 {
         self.scratch_count
     }
