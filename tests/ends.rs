@@ -3,6 +3,7 @@
 mod support;
 
 use glam::DVec2;
+use std::f64::consts::PI;
 use striae::formation::Tool;
 use striae::pattern::Key;
 use striae::scattering::Shading;
@@ -91,7 +92,8 @@ fn short_scratches() {
     }
 }
 
-/// An end counts with its covered length: what is added falls linearly as the pixel moves off the end.
+/// An end counts with its covered length, and its cap as half a disc as wide as the scratch: as the pixel moves off
+/// the end, what is added falls linearly for as long as it holds the whole cap.
 #[test]
 fn ends_count_by_length() {
     let line = ([0.2, 0.5], [0.5, 0.5]);
@@ -112,14 +114,22 @@ fn ends_count_by_length() {
     assert!(full > 0.04, "coverage in the middle {full}");
     assert_eq!(none, 0.0, "coverage off the end");
     assert!(bright > 1.1 * bare, "no brighter: {bright} and {bare}");
-    for i in -9..=9 {
+    let (half, half_lit) = coverage(0.0);
+    let (cap, cap_lit) = (half - 0.5 * full, half_lit - 0.5 * (bare + bright));
+    // The scratch takes `full` of 2 mm in width.
+    let half_disc = 0.5 * PI * full * full / (2.0 * 2.0);
+    assert!(
+        relative(cap, half_disc) < 0.02,
+        "the cap covers {cap}, half a disc {half_disc}"
+    );
+    for i in -8..=9 {
         let (here, radiance) = coverage(0.1 * f64::from(i));
         let share = 0.5 - 0.05 * f64::from(i);
         assert!(
-            (here - share * full).abs() < 1e-3 * full,
+            (here - share * full - cap).abs() < 1e-3 * full,
             "coverage {here} of {full} with {share} of the length"
         );
-        let expected = bare + share * (bright - bare);
+        let expected = bare + share * (bright - bare) + cap_lit;
         assert!(
             relative(radiance, expected) < 1e-3,
             "radiance {radiance}, not {expected}, with {share} of the length"

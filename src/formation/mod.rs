@@ -4,10 +4,6 @@
 //! the material pushed out stands beside it in two peaks (Bosch et al. 2004, section 3).
 
 mod cross_section;
-#[cfg_attr(
-    not(test),
-    expect(dead_code, reason = "patterns do not place caps yet")
-)]
 mod end_cap;
 mod envelope;
 mod facets;
@@ -23,6 +19,7 @@ mod plasticity;
 mod tool;
 
 pub use cross_section::{CrossSection, Process};
+pub(crate) use end_cap::{End, EndCap, SECTORS};
 pub(crate) use facets::MOST_FACETS;
 pub use hardness::{HardnessMap, Reading};
 pub use material::{Layer, MOST_LAYERS, Material};

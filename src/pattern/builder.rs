@@ -150,6 +150,7 @@ impl PatternBuilder {
                 along: Along::new(chains.curves(), self.units_per_uv, length_mm),
                 surface: &self.material,
                 hardness,
+                is_closed: chains.is_closed(),
             };
             Track::along(scratch, &ground)
         });
@@ -189,7 +190,9 @@ impl PatternBuilder {
                 )
             }
             None => {
-                let track = self.kinds.place(scratch, &self.material)?;
+                let track = self
+                    .kinds
+                    .place(scratch, chains.is_closed(), &self.material)?;
                 let (knots, scale) = course::of_keys(scratch.keys, scratch.depth_law);
                 (track, knots, scale)
             }

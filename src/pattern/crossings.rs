@@ -23,7 +23,7 @@ pub(crate) fn uncut(hits: &[Hit<'_>], i: usize, pixel_area: f64) -> Option<Parts
     let mut left = ArrayVec::new();
     left.push(run.region);
     for later in &hits[i + 1..] {
-        let [from, to] = later.ends_mm();
+        let [from, to] = later.ends_mm;
         if to <= from || later.adjoins(run) || !reaches(later, run, pixel_area) {
             continue;
         }
@@ -66,7 +66,7 @@ pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
 
 /// Whether a later run covers anything near an earlier one.
 fn reaches(later: &Hit<'_>, run: &Hit<'_>, pixel_area: f64) -> bool {
-    let [from, to] = run.ends_mm();
+    let [from, to] = run.ends_mm;
     let beside = BESIDE * (to - from);
     let cut = later
         .cover

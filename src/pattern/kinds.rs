@@ -1,11 +1,12 @@
 //! Kinds of scratch: one tool, held one way, in one material. All scratches of a kind share their
 //! cross-sections, which depend on the force (or stated depth) alone.
 
+use super::caps::ENDS;
 use super::course::value;
 use super::scratch::Scratch;
-use super::track::{Track, in_key};
+use super::track::{Track, hard_ends, in_key};
 use crate::error::Result;
-use crate::formation::{CrossSection, DepthLaw, Material, Orientation, Process, Tool};
+use crate::formation::{CrossSection, DepthLaw, EndCap, Material, Orientation, Process, Tool};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -30,13 +31,23 @@ struct Kind {
     exact: Vec<f64>,
     /// Lowest and highest of all.
     span: [f64; 2],
+    /// Lowest and highest at hard ends, where scratches start and where they stop.
+    hard: [[f64; 2]; 2],
 }
+
+/// Of no values at all.
+const NO_SPAN: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 impl Kinds {
     /// The number of a scratch's kind. Its keys, one or more, hold the tool alike.
     ///
     /// Errors: what the keys state leaves no valid cross-section.
-    pub(crate) fn place(&mut self, scratch: &Scratch<'_>, surface: &Material) -> Result<u32> {
+    pub(crate) fn place(
+        &mut self,
+        scratch: &Scratch<'_>,
+        is_closed: bool,
+        surface: &Material,
+    ) -> Result<u32> {
         let material = scratch.material.unwrap_or(surface);
         let orientation = scratch.tool.plainest(scratch.keys[0].orientation);
         let hash = hash(scratch, orientation, material);
@@ -54,16 +65,17 @@ impl Kinds {
             law: scratch.depth_law,
             orientation,
             exact: Vec::new(),
-            span: [f64::INFINITY, f64::NEG_INFINITY],
+            span: NO_SPAN,
+            hard: [NO_SPAN; 2],
         };
         let Some(number) = same else {
-            kind.admit(scratch)?;
+            kind.admit(scratch, is_closed)?;
             let number = u32::try_from(self.kinds.len()).unwrap_or(u32::MAX);
             known.push(number);
             self.kinds.push(kind);
             return Ok(number);
         };
-        self.kinds[number as usize].admit(scratch)?;
+        self.kinds[number as usize].admit(scratch, is_closed)?;
         Ok(number)
     }
 
@@ -91,7 +103,7 @@ fn hash(scratch: &Scratch<'_>, orientation: Orientation, material: &Material) ->
 impl Kind {
     /// Makes room for what a scratch's keys state, if all of it can be formed: only more than was ever asked for
     /// has to be tried.
-    fn admit(&mut self, scratch: &Scratch<'_>) -> Result<()> {
+    fn admit(&mut self, scratch: &Scratch<'_>, is_closed: bool) -> Result<()> {
         let stated = |key| value(key, self.law);
         for key in scratch.keys {
             if !(stated(key) <= self.span[1]) {
@@ -108,21 +120,30 @@ impl Kind {
                 }
             }
         }
+        for (span, value) in self.hard.iter_mut().zip(hard_ends(scratch, is_closed)) {
+            let value = value.into_iter();
+            *span = value.fold(*span, |[low, high], value| {
+                [low.min(value), high.max(value)]
+            });
+        }
         Ok(())
     }
 
     fn section(&self, value: f64) -> Result<CrossSection> {
+        CrossSection::form(&self.tool, &self.process(value), &self.material)
+    }
+
+    fn process(&self, value: f64) -> Process {
         let (force_kgf, depth_mm) = match self.law {
             DepthLaw::Stated => (0.0, value),
             _ => (value, 0.0),
         };
-        let process = Process {
+        Process {
             depth_law: self.law,
             force_kgf,
             depth_mm,
             orientation: self.orientation,
-        };
-        CrossSection::form(&self.tool, &process, &self.material)
+        }
     }
 
     fn track(&self) -> Track {
@@ -135,6 +156,32 @@ impl Kind {
             spans.push(self.span);
         }
         // The deepest was formed when it was asked for, and less depth is never refused.
-        Track::over(&spans, &self.material, &|value| self.section(value)).unwrap_or_default()
+        let track = Track::over(&spans, &self.material, &|value| self.section(value));
+        let mut track = track.unwrap_or_default();
+        self.add_caps(&mut track);
+        track
+    }
+
+    /// Caps at those of the track's stations that hard ends lie between.
+    fn add_caps(&self, track: &mut Track) {
+        let at = track.at.clone();
+        for (end, [low, high]) in self.hard.into_iter().enumerate() {
+            if low > high {
+                continue;
+            }
+            let first = at.partition_point(|&at| at <= low).saturating_sub(1);
+            let last = at.partition_point(|&at| at < high);
+            let stations = at.iter().take(last + 1).skip(first);
+            let formed: Vec<_> = stations
+                .filter_map(|&value| {
+                    let process = self.process(value);
+                    let cap = EndCap::form(&self.tool, &process, &self.material, ENDS[end]).ok()?;
+                    Some((value, cap, self.section(value).ok()?))
+                })
+                .collect();
+            for (value, cap, section) in &formed {
+                track.push_cap(end, *value, cap, section);
+            }
+        }
     }
 }

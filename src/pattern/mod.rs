@@ -6,6 +6,7 @@
 
 mod along;
 mod builder;
+mod caps;
 mod closest;
 mod course;
 mod crossings;

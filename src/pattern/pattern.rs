@@ -35,8 +35,6 @@ pub struct Pattern {
     /// How far any scratch reaches from its centre line.
     pub(crate) extent: Extent,
     pub(super) run_cos: f64,
-    /// Vertices of the finest cross-section.
-    pub(crate) most_vertices: usize,
 }
 
 /// How much memory a pattern takes, bytes.
@@ -88,11 +86,6 @@ impl Pattern {
             knots: builder.courses.knots().to_vec(),
             extent: tracks.extent(),
             run_cos: run_cos(smoothest),
-            most_vertices: tracks
-                .iter()
-                .map(|track| track.most_vertices())
-                .max()
-                .unwrap_or(0),
             surface: Finish::new(&builder.material.surface),
             mm_per_scene_unit: builder.mm_per_scene_unit,
             units_per_uv: builder.units_per_uv,

@@ -95,6 +95,11 @@ impl Chains {
         });
     }
 
+    /// Whether one path's pieces, these, go on where they end.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.pieces.first().is_some_and(Piece::is_joined)
+    }
+
     /// Appends another path's pieces as scratch number `scratch`.
     pub(crate) fn append(&mut self, path: &Self, scratch: u32) {
         let shift = u32::try_from(self.points.len()).unwrap_or(0);

@@ -2,7 +2,8 @@
 //! more scratches than can be looked at one by one.
 
 use super::Pattern;
-use super::closest::{bezier, length_share};
+use super::caps::ENDS;
+use super::closest::{bezier, length_share, tangent};
 use super::crowd::{Crowd, Packed};
 use super::grid::{CellPieces, Raster};
 use super::query::{Candidates, Hit, Reach};
@@ -133,6 +134,32 @@ impl Pattern {
                 area_mm2: crate::single(area_mm2),
             });
             start = end;
+        }
+        self.for_each_cap_chord(number, visible, &mut visit);
+    }
+
+    /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis.
+    fn for_each_cap_chord(&self, number: usize, visible: f64, visit: &mut impl FnMut(Chord)) {
+        let curves = self.curves();
+        for end in ENDS {
+            let Some(cap) = self.cap_at(number, end) else {
+                continue;
+            };
+            let Some((track, _)) = self.strand(curves.pieces[number].scratch) else {
+                continue;
+            };
+            let control = curves.control(number);
+            let place = bezier(&control, cap.at);
+            let scaled = control.map(|p| p * self.units_per_uv);
+            for sector in cap.sectors() {
+                let [_, _, axis] = sector.wedge.directions(tangent(&scaled, cap.at));
+                visit(Chord {
+                    ends: [place; 2],
+                    classes: track.classes(cap.place),
+                    travel: axis.perp(),
+                    area_mm2: crate::single(sector.area_mm2() * visible),
+                });
+            }
         }
     }
 }

@@ -1,12 +1,14 @@
 //! Which scratches a pixel sees, and how each runs through its footprint.
 
 use super::Pattern;
+use super::caps::CapAt;
 use super::closest::{length_share, nearest, tangent};
 use super::course::Course;
 use super::pieces::{Curves, bounds, halves};
 use super::point::Metric;
 use super::region::Region;
-use super::tracks::TrackRef;
+use super::tracks::{Section, TrackRef};
+use crate::formation::End;
 use arrayvec::ArrayVec;
 use core::ops::ControlFlow;
 use glam::DVec2;
@@ -27,15 +29,17 @@ const MOST_HALVINGS: u32 = 12;
 /// Pieces near a footprint, in the order in which they were scratched.
 pub(crate) type Candidates = ArrayVec<u32, MOST_CANDIDATES>;
 
-/// One scratch's way through a footprint. Lengths in mm, in the local frame around the footprint's centre.
+/// One scratch's way through a footprint: a run of it, or a sector of the cap at its hard end, which is a run
+/// across the sector's axis. Lengths in mm, in the local frame around the footprint's centre.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit<'p> {
     pub track: TrackRef<'p>,
-    /// Where on the track its cross-section is.
+    /// Where on the track its cross-section is, or the one that the cap closes.
     pub place: f64,
+    pub section: Section<'p>,
+    /// Where what it covers begins and ends, mm across from the centre line.
+    pub ends_mm: [f64; 2],
     pub scratch: u32,
-    /// Share of the scratch's arc length at `origin`.
-    pub at: f64,
     /// A point of the scratch's centre line.
     pub origin: DVec2,
     /// The centre line's unit direction of travel there.
@@ -55,9 +59,9 @@ impl Hit<'_> {
         DVec2::new(self.travel.y, -self.travel.x)
     }
 
-    /// Where its cross-section begins and ends, mm across from the centre line.
-    pub(crate) fn ends_mm(&self) -> [f64; 2] {
-        self.track.ends(self.place).map(f64::from)
+    /// Vertices of its cross-section, once it is cut into layers.
+    pub(crate) fn most_vertices(&self) -> usize {
+        self.section.vertex_count() + 2 * self.track.layers.len()
     }
 
     /// Point and inward direction of the four lines that bound what the run covers between two distances across.
@@ -175,7 +179,28 @@ impl Pattern {
         flow.is_continue()
     }
 
-    /// Calls `visit` with each run of scratch that comes within reach of the footprint.
+    /// The cap at one end of a piece, if the path begins or ends there, and hard.
+    pub(super) fn cap_at(&self, number: usize, end: End) -> Option<CapAt<'_>> {
+        let pieces = self.curves().pieces;
+        let scratch = pieces.get(number)?.scratch;
+        let [first, last] = self.pieces_of(scratch);
+        let (outermost, share) = match end {
+            End::Start => (first, 0.0),
+            End::Stop => (last, 1.0),
+        };
+        if number != outermost || pieces.get(first)?.is_joined() {
+            return None;
+        }
+        let (track, course) = self.strand(scratch)?;
+        let caps = track.caps[usize::from(end == End::Stop)]?;
+        Some(CapAt {
+            caps,
+            at: share,
+            place: course.value(share),
+        })
+    }
+
+    /// Calls `visit` with each run of scratch, and each sector of its caps, that comes within reach of the footprint.
     pub(crate) fn for_each_run<'p>(
         &'p self,
         candidates: &Candidates,
@@ -201,6 +226,8 @@ impl Pattern {
                 Some(run) => Some(run),
                 None => {
                     pending.iter().for_each(|run| walk.emit(run));
+                    // After what was scratched before this one.
+                    walk.emit_cap(&part, End::Start);
                     if walk.is_one_run(&part) {
                         Some(Run::of(&part))
                     } else {
@@ -209,6 +236,7 @@ impl Pattern {
                     }
                 }
             };
+            walk.emit_cap(&part, End::Stop);
         }
         pending.iter().for_each(|run| walk.emit(run));
     }
@@ -386,11 +414,14 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             Some(covered) => self.nearest_on(run, covered.centroid()),
             None => near,
         };
+        let place = first.course.value(at);
+        let section = first.track.section(place);
         let mut hit = Hit {
             track: first.track,
-            place: first.course.value(at),
+            place,
+            section,
+            ends_mm: section.ends().map(f64::from),
             scratch: first.scratch,
-            at,
             origin,
             travel,
             parting: [
@@ -401,8 +432,51 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             cover: None,
             visible: self.pattern.visible_share(first.number),
         };
-        hit.cover = hit.covered(hit.ends_mm(), region);
+        hit.cover = hit.covered(hit.ends_mm, region);
         Some(hit)
+    }
+
+    /// The sectors of the cap at an end of a part, if that is a hard end of its scratch within reach.
+    fn emit_cap(&mut self, part: &Part<'p>, end: End) {
+        let Some(cap) = self.pattern.cap_at(part.number, end) else {
+            return;
+        };
+        let (point, travel, outward) = match end {
+            End::Start => (part.control[0], part.parting[0], -part.parting[0]),
+            End::Stop => (part.control[3], part.parting[1], part.parting[1]),
+        };
+        let [low, high] = self.near;
+        if !(point.cmpge(low).all() && point.cmple(high).all()) {
+            return;
+        }
+        let Some(beyond) = self.reach.footprint.clipped(point, outward) else {
+            return;
+        };
+        let visible = self.pattern.visible_share(part.number);
+        for sector in cap.sectors() {
+            let [from, to, axis] = sector.wedge.directions(travel);
+            let origin = point + sector.offset_mm * DVec2::new(travel.y, -travel.x);
+            let parting = [[origin, from.perp()], [origin, to.perp()]];
+            let region = beyond
+                .clipped(origin, from.perp())
+                .and_then(|part| part.clipped(origin, -to.perp()));
+            let Some(region) = region else { continue };
+            let mut hit = Hit {
+                track: part.track,
+                place: cap.place,
+                section: sector.section,
+                ends_mm: [0.0, sector.outer_mm()],
+                scratch: part.scratch,
+                origin,
+                travel: axis.perp(),
+                parting,
+                region,
+                cover: None,
+                visible,
+            };
+            hit.cover = hit.covered(hit.ends_mm, region);
+            (self.visit)(hit);
+        }
     }
 
     fn nearest_on(&self, run: &Run<'p>, target: DVec2) -> Near {

@@ -1,12 +1,15 @@
 //! The cross-section as a function of one quantity: arc length along a scratch, or the force on a tool.
 
 use super::along::Along;
+use super::caps::{ENDS, EndCaps};
+use super::course::value;
 use super::scratch::{Held, Key, Scratch};
 use crate::brdf::{Brdf, Finish};
 use crate::error::{Error, Result, in_range};
-use crate::formation::{CrossSection, HardnessMap, Layer, MOST_FACETS, Material, Process};
+use crate::formation::{CrossSection, EndCap, HardnessMap, Layer, MOST_FACETS, Material, Process};
 use crate::single;
 use glam::{DVec2, Vec2};
+use std::borrow::Cow;
 
 /// Points of the most finely faceted cross-section.
 pub(crate) const MOST_VERTICES: usize = MOST_FACETS + 5;
@@ -27,6 +30,8 @@ pub(crate) struct Track {
     /// `vertex_count` points per station, station after station.
     pub vertices: Vec<Vec2>,
     pub vertex_count: usize,
+    /// What stands beyond hard ends, where it starts and where it stops; empty if no end is hard.
+    pub caps: [EndCaps; 2],
     pub finishes: Finishes,
 }
 
@@ -44,6 +49,8 @@ pub(crate) struct Ground<'a> {
     pub along: Along<'a>,
     pub surface: &'a Material,
     pub hardness: Option<&'a HardnessMap>,
+    /// The path goes on where it ends.
+    pub is_closed: bool,
 }
 
 impl Track {
@@ -52,26 +59,32 @@ impl Track {
     pub(crate) fn along(scratch: &Scratch<'_>, ground: &Ground<'_>) -> Result<Self> {
         let material = scratch.material.unwrap_or(ground.surface);
         let map = ground.hardness.filter(|_| scratch.material.is_none());
+        let process = |at: f64| process_at(scratch, ground, at);
+        let here = |at: f64| match map {
+            Some(map) => Cow::Owned(Material {
+                hardness_hv: map.at(ground.along.uv(at)),
+                ..material.clone()
+            }),
+            None => Cow::Borrowed(material),
+        };
         let section = |at: f64| {
-            let process = process_at(scratch, ground, at);
-            let formed = match map {
-                Some(map) => {
-                    let hardness_hv = map.at(ground.along.uv(at));
-                    let here = Material {
-                        hardness_hv,
-                        ..material.clone()
-                    };
-                    CrossSection::form(scratch.tool, &process, &here)
-                }
-                None => CrossSection::form(scratch.tool, &process, material),
-            };
-            formed.map_err(|error| in_key(error, scratch.keys, at))
+            CrossSection::form(scratch.tool, &process(at), &here(at))
+                .map_err(|error| in_key(error, scratch.keys, at))
         };
         // Keys first: what they state themselves is theirs to blame for.
         for key in scratch.keys {
             section(key.at)?;
         }
-        Self::over(&spans(scratch, ground), material, &section)
+        let mut track = Self::over(&spans(scratch, ground), material, &section)?;
+        let hard = hard_ends(scratch, ground.is_closed);
+        for (i, at) in [0.0, 1.0].into_iter().enumerate() {
+            if hard[i].is_some() {
+                let cap = EndCap::form(scratch.tool, &process(at), &here(at), ENDS[i]);
+                let cap = cap.map_err(|error| in_key(error, scratch.keys, at))?;
+                track.push_cap(i, at, &cap, &section(at)?);
+            }
+        }
+        Ok(track)
     }
 
     /// Cross-sections over spans of whatever `section` depends on; the spans ascend, and follow one another.
@@ -93,6 +106,7 @@ impl Track {
             at: Vec::new(),
             vertices: Vec::new(),
             vertex_count: facets + 5,
+            caps: Default::default(),
             finishes: Finishes::of(material),
         };
         track.push(spans[0][0], &faceted(spans[0][0])?);
@@ -123,6 +137,12 @@ impl Track {
         self.refine([middle_at, span[1]], &second, halvings - 1, faceted)
     }
 
+    /// Appends to the caps of an end (0 or 1) the one that follows a cross-section.
+    pub(crate) fn push_cap(&mut self, end: usize, at: f64, cap: &EndCap, section: &CrossSection) {
+        let run = section.faceted(self.vertex_count - 5);
+        self.caps[end].push(at, cap, &run);
+    }
+
     fn push(&mut self, at: f64, points: &[DVec2]) {
         self.at.push(at);
         self.vertices
@@ -145,6 +165,14 @@ pub(crate) fn check_keys(keys: &[Key]) -> Result<()> {
         last = key.at;
     }
     Ok(())
+}
+
+/// What a scratch presses with at its start and where it stops, at hard ends: where that is not 0.
+pub(crate) fn hard_ends(scratch: &Scratch<'_>, is_closed: bool) -> [Option<f64>; 2] {
+    [0.0, 1.0].map(|at| {
+        let value = value(&key_at(scratch.keys, at), scratch.depth_law);
+        (value > 0.0 && !is_closed).then_some(value)
+    })
 }
 
 /// Arc-length spans in which the process changes smoothly.
@@ -205,7 +233,7 @@ impl Finishes {
 }
 
 /// The process between keys, linear in arc length; constant before the first and after the last.
-fn key_at(keys: &[Key], at: f64) -> Key {
+pub(crate) fn key_at(keys: &[Key], at: f64) -> Key {
     let next = keys.partition_point(|key| key.at <= at);
     match (next.checked_sub(1).map(|i| keys[i]), keys.get(next)) {
         (Some(last), Some(next)) => last.mix(next, (at - last.at) / (next.at - last.at)),

@@ -1,5 +1,6 @@
 //! All cross-sections of a pattern, in flat arrays.
 
+use super::caps::{CapRange, CapRef, Caps, vertices_per_sector};
 use super::palette::Blend;
 use super::track::Track;
 use crate::brdf::Finish;
@@ -13,6 +14,7 @@ pub(crate) struct Tracks {
     stations: Vec<Station>,
     vertices: Vec<Vec2>,
     layers: Vec<LayerFinish>,
+    caps: Caps,
     /// How each station is shared between the palette's classes.
     pub blends: Vec<Blend>,
 }
@@ -27,6 +29,8 @@ struct Record {
     vertex_count: u32,
     first_layer: u32,
     layer_count: u32,
+    /// At the start, and where it stops.
+    caps: [CapRange; 2],
     extent: Extent,
     bulk: Finish,
 }
@@ -67,8 +71,18 @@ pub(crate) struct TrackRef<'p> {
     pub first_station: usize,
     pub vertex_count: usize,
     pub layers: &'p [LayerFinish],
+    /// At hard ends: where it starts, and where it stops.
+    pub caps: [Option<CapRef<'p>>; 2],
     pub bulk: Finish,
     pub extent: Extent,
+}
+
+/// One cross-section of a track: the mean of two shapes, vertex by vertex.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Section<'p> {
+    pub shapes: [&'p [Vec2]; 2],
+    /// The second one's share.
+    pub mix: f32,
 }
 
 impl Tracks {
@@ -76,6 +90,7 @@ impl Tracks {
     pub(crate) fn push(&mut self, track: &Track) -> u32 {
         let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
         let extent = Extent::of(&track.vertices);
+        let caps = track.caps.each_ref().map(|caps| self.caps.append(caps));
         self.records.push(Record {
             first_station: number(self.stations.len()),
             station_count: number(track.at.len()),
@@ -83,6 +98,7 @@ impl Tracks {
             vertex_count: number(track.vertex_count),
             first_layer: number(self.layers.len()),
             layer_count: number(track.finishes.layers.len()),
+            caps,
             extent,
             bulk: track.finishes.bulk,
         });
@@ -124,6 +140,9 @@ impl Tracks {
             layers: self
                 .layers
                 .get(layer..layer + record.layer_count as usize)?,
+            caps: record
+                .caps
+                .map(|caps| self.caps.get(caps, vertices_per_sector(per_station - 5))),
             bulk: record.bulk,
             extent: record.extent,
         })
@@ -160,8 +179,13 @@ impl Tracks {
 
     /// The extent of all.
     pub(crate) fn extent(&self) -> Extent {
+        let [half_width_mm, height_mm] = self.caps.reach_mm();
+        let caps = Extent {
+            half_width_mm,
+            height_mm,
+        };
         let extents = self.records.iter().map(|record| record.extent);
-        extents.fold(Extent::default(), Extent::max)
+        extents.fold(caps, Extent::max)
     }
 }
 
@@ -184,14 +208,9 @@ impl Extent {
     }
 }
 
-impl TrackRef<'_> {
+impl<'p> TrackRef<'p> {
     pub(crate) fn station_count(&self) -> usize {
         self.stations.len()
-    }
-
-    /// Vertices of its cross-sections, once they are cut into layers.
-    pub(crate) fn most_vertices(&self) -> usize {
-        self.vertex_count + 2 * self.layers.len()
     }
 
     /// Where a station is.
@@ -235,23 +254,19 @@ impl TrackRef<'_> {
         (last, mix)
     }
 
-    /// The cross-section's vertices at a place, as x and z written to the two slices.
-    pub(crate) fn sample(&self, at: f64, xs: &mut [f32], zs: &mut [f32]) {
+    /// The cross-section at a place.
+    pub(crate) fn section(&self, at: f64) -> Section<'p> {
         let (last, mix) = self.locate(at);
         let next = (last + 1).min(self.stations.len() - 1);
-        let pairs = self.shape(last).iter().zip(self.shape(next));
-        for ((a, b), (x, z)) in pairs.zip(xs.iter_mut().zip(zs.iter_mut())) {
-            let point = a.lerp(*b, mix);
-            (*x, *z) = (point.x, point.y);
+        Section {
+            shapes: [last, next].map(|station| self.shape(station)),
+            mix,
         }
     }
 
     /// Where the cross-section begins and ends at a place, mm across from the centre line.
     pub(crate) fn ends(&self, at: f64) -> [f32; 2] {
-        let (last, mix) = self.locate(at);
-        let next = (last + 1).min(self.stations.len() - 1);
-        let (a, b) = (self.shape(last), self.shape(next));
-        [0, self.vertex_count - 1].map(|i| a[i].lerp(b[i], mix).x)
+        self.section(at).ends()
     }
 
     /// How much the cross-section has changed from the first station to a place.
@@ -262,7 +277,32 @@ impl TrackRef<'_> {
         f64::from(a) + f64::from(b - a) * f64::from(mix)
     }
 
-    fn shape(&self, station: usize) -> &[Vec2] {
+    fn shape(&self, station: usize) -> &'p [Vec2] {
         &self.vertices[station * self.vertex_count..(station + 1) * self.vertex_count]
+    }
+}
+
+impl Section<'_> {
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.shapes[0].len()
+    }
+
+    /// Its vertices, as x and z written to the two slices.
+    pub(crate) fn sample(&self, xs: &mut [f32], zs: &mut [f32]) {
+        let pairs = self.shapes[0].iter().zip(self.shapes[1]);
+        for ((a, b), (x, z)) in pairs.zip(xs.iter_mut().zip(zs.iter_mut())) {
+            let point = a.lerp(*b, self.mix);
+            (*x, *z) = (point.x, point.y);
+        }
+    }
+
+    /// Where it begins and ends, mm.
+    pub(crate) fn ends(&self) -> [f32; 2] {
+        let [a, b] = self.shapes;
+        let end = |i: usize| a[i].lerp(b[i], self.mix).x;
+        match self.vertex_count() {
+            0 => [0.0; 2],
+            count => [end(0), end(count - 1)],
+        }
     }
 }

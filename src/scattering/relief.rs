@@ -7,8 +7,8 @@ use crate::brdf::{Finish, Pair};
 use crate::pattern::{MOST_CLASS_VERTICES, Palette};
 use glam::{Vec2, Vec3};
 
-/// Scratches that a shading point holds one by one.
-pub(crate) const MOST_RELIEFS: usize = 16;
+/// Scratches that a shading point holds one by one: a short one whose both ends are hard takes seventeen.
+pub(crate) const MOST_RELIEFS: usize = 17;
 
 /// Vertices that a shading point holds for all its scratches together.
 pub(crate) const MOST_SLOTS: usize = 200;

@@ -185,7 +185,7 @@ impl Shading {
         self.coverage
     }
 
-    /// How many runs of scratch the footprint holds.
+    /// How many runs of scratch the footprint holds; each sector of a hard end counts as one.
     pub fn scratch_count(&self) -> u32 {
         self.scratch_count
     }
@@ -266,8 +266,14 @@ impl Shading {
                 .enumerate(),
         );
         runs.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let room = (MOST_SLOTS - pattern.palette.vertex_count()) / pattern.most_vertices.max(1);
-        let first_of_crowd = runs.get(room.min(MOST_RELIEFS)).map_or(0.0, |run| run.1);
+        let room = MOST_SLOTS - pattern.palette.vertex_count();
+        let mut taken = 0;
+        let full = |&(k, &(i, _)): &(usize, &(usize, f64))| {
+            taken += hits[i].most_vertices();
+            k == MOST_RELIEFS || taken > room
+        };
+        let first_of_crowd = runs.iter().enumerate().find(full);
+        let first_of_crowd = first_of_crowd.map_or(0.0, |(_, run)| run.1);
         for &(i, area) in &runs {
             let hit = &hits[i];
             // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
@@ -292,9 +298,9 @@ impl Shading {
         }
         let across = hit.across();
         let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
-        let vertices = hit.track.vertex_count;
+        let vertices = hit.section.vertex_count();
         let (xs, zs) = (&mut xs[..vertices], &mut zs[..vertices]);
-        hit.track.sample(hit.place, xs, zs);
+        hit.section.sample(xs, zs);
         let layers = hit.track.layers.iter();
         let layered = Layered::cut(xs, zs, layers.map(|layer| layer.bottom_mm));
         let (xs, zs, layer) = layered.parts();
