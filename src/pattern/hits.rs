@@ -18,8 +18,11 @@ use glam::DVec2;
 /// scratches leave of it on average.
 const MOST_CUT: usize = 128;
 
-/// Parts that crossings may cut a run into.
-const MOST_PARTS: usize = 64;
+/// Parts that crossings may cut a run into for its area to be exact.
+const MOST_PARTS: usize = 32;
+
+/// Points per side of a run's box for what many crossings leave of it.
+const SAMPLES: u32 = 32;
 
 /// Cells of the grid that a footprint may touch, and pieces listed in them (most more than once), for all to be
 /// looked at.
@@ -193,6 +196,32 @@ fn each_once(found: &mut Candidates) {
     found.retain(|number| last.replace(*number) != Some(*number));
 }
 
+/// What later runs leave of an area, by points: where they cut it into too many parts.
+fn sampled(later: &[Hit<'_>], cover: &Region) -> f64 {
+    let holds =
+        |region: &Region, p: DVec2| region.edges().all(|(a, b)| (b - a).perp_dot(p - a) >= 0.0);
+    let corners = cover.corners();
+    let low = corners.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+    let high = corners
+        .iter()
+        .copied()
+        .fold(DVec2::NEG_INFINITY, DVec2::max);
+    let place = |i: u32| (f64::from(i) + 0.5) / f64::from(SAMPLES);
+    let (mut inside, mut left) = (0, 0);
+    for (i, j) in (0..SAMPLES).flat_map(|i| (0..SAMPLES).map(move |j| (i, j))) {
+        let p = low + (high - low) * DVec2::new(place(i), place(j));
+        if !holds(cover, p) {
+            continue;
+        }
+        let is_cut = later
+            .iter()
+            .any(|run| run.cover.is_some_and(|region| holds(&region, p)));
+        inside += 1;
+        left += u32::from(!is_cut);
+    }
+    cover.area() * f64::from(left) / f64::from(inside.max(1))
+}
+
 /// A place of a scratch: share of arc length, and mm in the local frame.
 struct Place {
     at: f64,
@@ -247,7 +276,7 @@ impl Listing<'_> {
             let Some(cover) = run.cover else { continue };
             match uncut::<MOST_PARTS>(&runs, i, cover, self.pixel_area) {
                 Some(parts) => self.add(run, parts.iter().map(Region::area).sum()),
-                None => self.add_average(run),
+                None => self.add(run, sampled(&runs[i + 1..], &cover)),
             }
         }
         true
