@@ -47,16 +47,21 @@ int main(int argc, char **argv) {
 
     protects("threads that share a pattern get what one thread gets alone");
     shade_often(&alone);
-    for (int i = 0; i < THREADS; i++) EXPECT(pthread_create(&threads[i], NULL, shade_often, &sums[i]) == 0);
+    bool started = true;
+    for (int i = 0; i < THREADS; i++)
+        started = pthread_create(&threads[i], NULL, shade_often, &sums[i]) == 0 && started;
     for (int i = 0; i < THREADS; i++) pthread_join(threads[i], NULL);
+    EXPECT(started);
     for (int i = 0; i < THREADS; i++) EXPECT(sums[i] == alone && alone > 0.0f);
     striae_pattern_release(pattern);
 
     protects("an error text belongs to the thread that made the error");
     StriaeTool *tool = NULL;
     EXPECT_REFUSED(striae_tool_wedge(-5.0, 60.0, 1.0, &tool), "width_mm", "-5");
-    EXPECT(pthread_create(&threads[0], NULL, fail_with_minus_three, NULL) == 0);
+    /* That thread expects, too: not while this one does. */
+    started = pthread_create(&threads[0], NULL, fail_with_minus_three, NULL) == 0;
     pthread_join(threads[0], NULL);
+    EXPECT(started);
     EXPECT(strstr(striae_last_error(), "-5") != NULL);
     return expect_summary();
 }
