@@ -9,7 +9,7 @@ JOBS := $(shell nproc 2>/dev/null || echo 2)
 CONFIGURE = cmake -S . -B $(BUILD) --log-level=NOTICE -DCMAKE_BUILD_TYPE=Release \
 	-DCMAKE_RULE_MESSAGES=OFF -DCMAKE_TARGET_MESSAGES=OFF
 PACKAGES := cmake libembree-dev libopenexr-dev libpng-dev pkg-config
-TEST_PACKAGES := $(PACKAGES) g++ binutils
+TEST_PACKAGES := $(PACKAGES) g++ binutils valgrind
 
 .DEFAULT_GOAL := help
 .PHONY: help demo figures test bench clean rust

@@ -5,6 +5,7 @@
  *              (one by one, by the many from a generator, from a pattern file, from an SVG drawing)
  * Render time: striae_shade(pattern, point, view) once per shading point and view, then
  *              striae_eval(shading, light) per light. Neither allocates, locks or blocks.
+ *              striae_pattern_query(pattern, point) for which scratches are there; nor does it.
  *
  * Units are in the names: lengths mm, forces kgf (9.80665 N), Vickers hardness kgf/mm^2, angles in
  * degrees. `view` and `light` both point away from the surface, in the local frame of striae_frame().

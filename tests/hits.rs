@@ -303,7 +303,7 @@ fn tangle() -> Pattern {
 fn coverage_is_the_share_of_points() {
     const SIDE: u32 = 120;
     let pattern = tangle();
-    for (center_mm, side_mm) in [([0.0, 0.0], 2.5), ([0.3, 0.9], 1.0), ([0.05, -0.2], 0.5)] {
+    for (center_mm, side_mm) in [([0.0, 0.1], 1.0), ([0.3, 0.9], 1.0), ([0.05, -0.2], 0.5)] {
         let center = DVec2::splat(0.5) + DVec2::from(center_mm) / SHEET_MM;
         let (dx, dy) = (
             side_mm * DVec2::new(0.9, 0.2),
@@ -338,7 +338,14 @@ fn coverage_is_the_share_of_points() {
 /// Seen from above, a pixel shows of scratches what they cover of it.
 #[test]
 fn coverage_is_what_shading_shows_from_above() {
-    let (pattern, mut random, mut shading) = (tangle(), random(72), Shading::default());
+    let mm = |x: f64, y: f64| [0.5 + x / SHEET_MM, 0.5 + y / SHEET_MM];
+    let lines = [
+        (mm(-9.0, -1.0), mm(9.0, 1.5)),
+        (mm(-9.0, 2.0), mm(9.0, -2.5)),
+        (mm(0.3, -9.0), mm(-0.4, 9.0)),
+    ];
+    let pattern = straight(&dark_sheet(), &Tool::rockwell_c(), &lines, 2.0);
+    let (mut random, mut shading) = (random(72), Shading::default());
     let mut worst = 0.0_f32;
     for _ in 0..300 {
         let place = DVec2::new(

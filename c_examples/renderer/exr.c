@@ -1,33 +1,63 @@
 /* Scene-linear EXR through OpenEXR's C core: 32-bit float channels, ZIP compression. */
 #include <openexr.h>
+#include <string.h>
 
-#include "film.h"
+#include "labels.h"
 
-/* Tells the encoder where each of its channels lies among our interleaved red, green and blue. */
-static void point_channels(exr_encode_pipeline_t *encoder, const Film *film, int y) {
-    const float (*line)[3] = (const float (*)[3])(film->rgb + (size_t)y * (size_t)film->width);
+/* Values of one channel: the first one's place, and how far it is to the next, in a row and in a column. */
+typedef struct Channel {
+    const char *name;
+    const char *first;
+    size_t pixel_stride, line_stride;
+} Channel;
+
+enum { RGB = 3, MOST_CHANNELS = RGB + LABEL_CHANNELS };
+
+typedef struct Layers {
+    int width, height, count;
+    Channel channels[MOST_CHANNELS]; /* in the order of the alphabet, as EXR has them */
+} Layers;
+
+static Layers layers_of(const Film *film, const LabelMap *map) {
+    static const char *const names[RGB] = {"B", "G", "R"};
+    Layers layers = {.width = film->width, .height = film->height};
+    for (int c = 0; c < RGB; c++)
+        layers.channels[layers.count++] = (Channel){names[c], (const char *)&film->rgb[0][RGB - 1 - c],
+                                                    sizeof *film->rgb, (size_t)film->width * sizeof *film->rgb};
+    for (int c = 0; map && c < LABEL_CHANNELS; c++)
+        layers.channels[layers.count++] =
+            (Channel){label_channels[c].name, (const char *)map->labels + label_channels[c].offset,
+                      sizeof *map->labels, (size_t)map->width * sizeof *map->labels};
+    return layers;
+}
+
+/* Tells the encoder where each of its channels lies among our interleaved values. */
+static void point_channels(exr_encode_pipeline_t *encoder, const Layers *layers, int y) {
     for (int i = 0; i < encoder->channel_count; i++) {
         exr_coding_channel_info_t *channel = &encoder->channels[i];
-        const char name = channel->channel_name[0];
-        channel->encode_from_ptr = (const uint8_t *)&line[0][name == 'R' ? 0 : name == 'G' ? 1 : 2];
-        channel->user_pixel_stride = (int32_t)sizeof *line;
-        channel->user_line_stride = film->width * (int32_t)sizeof *line;
+        const Channel *own = layers->channels;
+        while (strcmp(own->name, channel->channel_name) != 0) own++;
+        channel->encode_from_ptr = (const uint8_t *)(own->first + (size_t)y * own->line_stride);
+        channel->user_pixel_stride = (int32_t)own->pixel_stride;
+        channel->user_line_stride = (int32_t)own->line_stride;
         channel->user_bytes_per_element = (int16_t)sizeof(float);
         channel->user_data_type = EXR_PIXEL_FLOAT;
     }
 }
 
-static exr_result_t describe(exr_context_t file, const Film *film, int *part) {
+static exr_result_t describe(exr_context_t file, const Layers *layers, int *part) {
     exr_result_t result = exr_add_part(file, "rgb", EXR_STORAGE_SCANLINE, part);
     if (result == EXR_ERR_SUCCESS)
-        result = exr_initialize_required_attr_simple(file, *part, film->width, film->height, EXR_COMPRESSION_ZIP);
-    for (const char *name = "B\0G\0R\0"; *name && result == EXR_ERR_SUCCESS; name += 2)
-        result = exr_add_channel(file, *part, name, EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+        result = exr_initialize_required_attr_simple(file, *part, layers->width, layers->height, EXR_COMPRESSION_ZIP);
+    for (int c = 0; c < layers->count && result == EXR_ERR_SUCCESS; c++) {
+        const exr_perceptual_treatment_t kind = c < RGB ? EXR_PERCEPTUALLY_LOGARITHMIC : EXR_PERCEPTUALLY_LINEAR;
+        result = exr_add_channel(file, *part, layers->channels[c].name, EXR_PIXEL_FLOAT, kind, 1, 1);
+    }
     return result == EXR_ERR_SUCCESS ? exr_write_header(file) : result;
 }
 
 /* One chunk of scan lines; the encoder is set up by the first and reused by the rest. */
-static exr_result_t write_chunk(exr_context_t file, int part, exr_encode_pipeline_t *encoder, const Film *film,
+static exr_result_t write_chunk(exr_context_t file, int part, exr_encode_pipeline_t *encoder, const Layers *layers,
                                 int y) {
     exr_chunk_info_t chunk;
     exr_result_t result = exr_write_scanline_chunk_info(file, part, y, &chunk);
@@ -35,27 +65,28 @@ static exr_result_t write_chunk(exr_context_t file, int part, exr_encode_pipelin
     result = y == 0 ? exr_encoding_initialize(file, part, &chunk, encoder)
                     : exr_encoding_update(file, part, &chunk, encoder);
     if (result != EXR_ERR_SUCCESS) return result;
-    point_channels(encoder, film, y);
+    point_channels(encoder, layers, y);
     if (y == 0) result = exr_encoding_choose_default_routines(file, part, encoder);
     return result == EXR_ERR_SUCCESS ? exr_encoding_run(file, part, encoder) : result;
 }
 
-static exr_result_t write_pixels(exr_context_t file, int part, const Film *film) {
+static exr_result_t write_pixels(exr_context_t file, int part, const Layers *layers) {
     exr_encode_pipeline_t encoder = EXR_ENCODE_PIPELINE_INITIALIZER;
     int32_t lines = 0;
     exr_result_t result = exr_get_scanlines_per_chunk(file, part, &lines);
-    for (int y = 0; y < film->height && result == EXR_ERR_SUCCESS; y += lines)
-        result = write_chunk(file, part, &encoder, film, y);
+    for (int y = 0; y < layers->height && result == EXR_ERR_SUCCESS; y += lines)
+        result = write_chunk(file, part, &encoder, layers, y);
     exr_encoding_destroy(file, &encoder);
     return result;
 }
 
-const char *film_write_exr(const Film *film, const char *path) {
+const char *exr_write_layers(const Film *film, const LabelMap *map, const char *path) {
+    const Layers layers = layers_of(film, map);
     exr_context_t file = NULL;
     int part = 0;
     exr_result_t result = exr_start_write(&file, path, EXR_WRITE_FILE_DIRECTLY, NULL);
-    if (result == EXR_ERR_SUCCESS) result = describe(file, film, &part);
-    if (result == EXR_ERR_SUCCESS) result = write_pixels(file, part, film);
+    if (result == EXR_ERR_SUCCESS) result = describe(file, &layers, &part);
+    if (result == EXR_ERR_SUCCESS) result = write_pixels(file, part, &layers);
     const exr_result_t closed = file ? exr_finish(&file) : EXR_ERR_SUCCESS;
     if (result == EXR_ERR_SUCCESS) result = closed;
     return result == EXR_ERR_SUCCESS ? NULL : exr_get_default_error_message(result);

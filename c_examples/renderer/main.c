@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "check.h"
+#include "labels.h"
 #include "options.h"
 #include "render.h"
 
@@ -19,15 +20,42 @@ static bool complain(const char *what, const char *why) {
     return false;
 }
 
-static bool write_picture(const Film *film, const char *folder, const char *name, double exposure) {
+static bool path_to(char path[PATH_SIZE], const char *folder, const char *name, const char *ending) {
+    const int length = snprintf(path, PATH_SIZE, "%s/%s%s", folder, name, ending);
+    return (length >= 0 && length < PATH_SIZE) || complain("--out", "the path is too long");
+}
+
+/* `labels` may be NULL. */
+static bool write_picture(const Film *film, const LabelMap *labels, const char *folder, const char *name,
+                          double exposure) {
     char path[PATH_SIZE];
-    const int length = snprintf(path, sizeof path, "%s/%s.exr", folder, name);
-    if (length < 0 || (size_t)length >= sizeof path) return complain("--out", "the path is too long");
-    const char *failure = film_write_exr(film, path);
+    if (!path_to(path, folder, name, ".exr")) return false;
+    const char *failure = exr_write_layers(film, labels, path);
     if (failure) return complain(path, failure);
-    memcpy(path + length - 3, "png", 3);
+    if (!path_to(path, folder, name, ".png")) return false;
     failure = film_write_png(film, exposure, path);
     return failure ? complain(path, failure) : true;
+}
+
+static bool write_label_pictures(const LabelMap *labels, const char *folder, const char *name) {
+    char path[PATH_SIZE];
+    if (!path_to(path, folder, name, "-id.png")) return false;
+    const char *failure = label_map_write_ids(labels, path);
+    if (failure) return complain(path, failure);
+    if (!path_to(path, folder, name, "-coverage.png")) return false;
+    failure = label_map_write_coverage(labels, path);
+    return failure ? complain(path, failure) : true;
+}
+
+/* A view's EXR with the labels' layers, and pictures of these. */
+static bool write_labelled(const Stage *stage, const Film *film, const Options *options) {
+    LabelMap labels;
+    if (!label_map_init(&labels, film->width, film->height)) return complain(stage->view->name, "out of memory");
+    label_map_render(&labels, stage, options->threads);
+    const bool written = write_picture(film, &labels, options->out, stage->view->name, stage->scene->exposure) &&
+                         write_label_pictures(&labels, options->out, stage->view->name);
+    label_map_free(&labels);
+    return written;
 }
 
 /* All views side by side, at half size. */
@@ -35,7 +63,7 @@ static bool write_sheet(const Film *films, size_t count, const char *folder, dou
     Film full = {0}, half = {0};
     const bool made = film_side_by_side(films, count, SHEET_GUTTER, &full) && film_half(&full, &half);
     const bool written =
-        made ? write_picture(&half, folder, "contact-sheet", exposure) : complain("contact sheet", "out of memory");
+        made ? write_picture(&half, NULL, folder, "contact-sheet", exposure) : complain("contact sheet", "out of memory");
     film_free(&full);
     film_free(&half);
     return written;
@@ -62,7 +90,10 @@ static bool render_all(const Scene *scene, const Tracer *tracer, const Options *
         stage.lights = lights_for_view(scene, &stage.camera);
         if (!film_init(&films[i], options->width, options->height) || !render_view(&stage, &settings, &films[i]))
             return complain(stage.view->name, "out of memory");
-        if (!write_picture(&films[i], options->out, stage.view->name, scene->exposure)) return false;
+        const bool written = options->aov
+                                 ? write_labelled(&stage, &films[i], options)
+                                 : write_picture(&films[i], NULL, options->out, stage.view->name, scene->exposure);
+        if (!written) return false;
         if (options->check && !check(&stage, options, &worst_rms)) return false;
     }
     if (!write_sheet(films, scene->view_count, options->out, scene->exposure)) return false;

@@ -17,6 +17,11 @@ static void print_help(void) {
            "  --spp N          samples per pixel, a square number from 1 to 1024 (default 1)\n"
            "  --threads N      1 to 256 (default: as many as there are cores)\n"
            "  --check          also compare one sample per pixel with 256; fail above 1 %% RMS\n"
+           "  --aov            also what each pixel shows of scratches: the layers scratch.* of each view's EXR, and\n"
+           "                   pictures of them, NAME-id.png and NAME-coverage.png. Channels: id (from 1 in order\n"
+           "                   of adding, of the scratch that covers most; 0: none), coverage (of all, 0 to 1), and of\n"
+           "                   that scratch direction.X .Y .Z (of travel, scene axes, unit length), depth_mm (below\n"
+           "                   the surface at the pixel's middle; rims negative), deepest_mm, arc_length (scene units)\n"
            "  --help           this text\n",
            scene_names());
 }
@@ -82,6 +87,8 @@ OptionsOutcome options_parse(int argc, char **argv, Options *options) {
         }
         if (strcmp(name, "--check") == 0) {
             options->check = true;
+        } else if (strcmp(name, "--aov") == 0) {
+            options->aov = true;
         } else if (!takes_value(name)) {
             fprintf(stderr, "\"%s\" is not an option; --help lists them\n", name);
             return OPTIONS_WRONG;

@@ -10,6 +10,7 @@ typedef struct Options {
     int samples_across; /* square root of --spp */
     int threads;
     bool check;
+    bool aov;
 } Options;
 
 typedef enum OptionsOutcome { OPTIONS_RUN, OPTIONS_HELP, OPTIONS_WRONG } OptionsOutcome;

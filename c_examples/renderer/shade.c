@@ -81,3 +81,26 @@ unsigned shade_sample(const Stage *stage, const Sample *sample, double radiance[
     }
     return surface.face;
 }
+
+void shade_label(const Stage *stage, const Sample *sample, Label *label) {
+    enum { MOST_HITS = 16 };
+    const Vec direction = camera_direction(&stage->camera, sample->x, sample->y);
+    Hit hit;
+    *label = (Label){.id = 0.0f};
+    if (!trace_closest(stage->tracer, stage->camera.position, direction, &hit) || !hit.mesh->pattern) return;
+    const Surface surface = mesh_surface(hit.mesh, hit.triangle, stage->camera.position, direction);
+    const StriaePoint point = striae_point(stage, &surface, sample);
+    StriaeFrame frame;
+    StriaeHit hits[MOST_HITS];
+    StriaeHitCount count = {.written = 0};
+    striae_frame(&point, &frame);
+    striae_pattern_query(hit.mesh->pattern, &point, hits, MOST_HITS, &count);
+    if (count.written == 0) return;
+    for (size_t i = 0; i < count.written; i++) label->coverage += hits[i].coverage;
+    label->coverage = fminf(label->coverage, 1.0f);
+    label->id = (float)(hits[0].scratch + 1);
+    striae_frame_to_world(&frame, hits[0].travel, label->direction);
+    label->depth_mm = hits[0].depth_mm;
+    label->deepest_mm = hits[0].deepest_mm;
+    label->arc_length = (float)hits[0].arc_length;
+}

@@ -20,4 +20,17 @@ typedef struct Sample {
 
 /* The mean radiance of the sample's square, red, green and blue. Returns the face hit, 0 for none. */
 unsigned shade_sample(const Stage *stage, const Sample *sample, double radiance[3]);
+
+/* What a pixel shows of scratches: all 0 where there are none. But for coverage it is told of the scratch that covers
+   the largest part of the pixel, and there of the place nearest to the pixel's middle. */
+typedef struct Label {
+    float id;           /* number in order of adding, from 1 */
+    float coverage;     /* the share of the pixel that scratches cover, 0 to 1 */
+    float direction[3]; /* of travel, unit length, the scene's x, y and z */
+    float depth_mm;     /* below the unscratched surface at the pixel's middle, negative on piled-up rims */
+    float deepest_mm;   /* of the cross-section there */
+    float arc_length;   /* from the scratch's start, scene units */
+} Label;
+
+void shade_label(const Stage *stage, const Sample *sample, Label *label);
 #endif

@@ -4,24 +4,23 @@ use super::query::Hit;
 use super::region::Region;
 use arrayvec::ArrayVec;
 
-/// Parts that crossings may cut a run's share of the pixel into.
-const MOST_PARTS: usize = 8;
-
 /// Parts of less than this share of the pixel are none.
 const LEAST_PART: f64 = 1e-9;
 
 /// How far beside a scratch's edge cuts still matter, as a share of its width: parallax shows the scratch there.
 const BESIDE: f64 = 1.0;
 
-/// Parts of a run's region.
-pub(crate) type Parts = ArrayVec<Region, MOST_PARTS>;
-
-/// What is left of the region beside run `i`; `hits` are in the order in which they were scratched. Nothing if it
-/// is too many parts.
-pub(crate) fn uncut(hits: &[Hit<'_>], i: usize, pixel_area: f64) -> Option<Parts> {
+/// What later scratches leave of a region that belongs to run `i`; `hits` are in the order in which they were
+/// scratched. Nothing if it is too many parts.
+pub(crate) fn uncut<const MOST_PARTS: usize>(
+    hits: &[Hit<'_>],
+    i: usize,
+    region: Region,
+    pixel_area: f64,
+) -> Option<ArrayVec<Region, MOST_PARTS>> {
     let run = &hits[i];
     let mut left = ArrayVec::new();
-    left.push(run.region);
+    left.push(region);
     for later in &hits[i + 1..] {
         let [from, to] = later.ends_mm;
         if to <= from || later.adjoins(run) || !reaches(later, run, pixel_area) {

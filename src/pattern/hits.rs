@@ -5,16 +5,29 @@ use super::Pattern;
 use super::closest::{length_share, nearest};
 use super::crossings::uncut;
 use super::point::{Frame, Metric, SurfacePoint};
-use super::query::{Candidates, Hit, Reach};
+use super::query::{Candidates, Hit, Reach, misses};
+use super::region::Region;
 use super::track::MOST_VERTICES;
 use crate::error::Result;
 use crate::single;
 use arrayvec::ArrayVec;
+use core::ops::ControlFlow;
 use glam::DVec2;
 
 /// Runs of scratch that are cut against one another; among more, each counts with the share that later
 /// scratches leave of it on average.
-const MOST_CUT: usize = 64;
+const MOST_CUT: usize = 128;
+
+/// Parts that crossings may cut a run into for its area to be exact.
+const MOST_PARTS: usize = 32;
+
+/// Points per side of a run's box for what many crossings leave of it.
+const SAMPLES: u32 = 32;
+
+/// Cells of the grid that a footprint may touch, and pieces listed in them (most more than once), for all to be
+/// looked at.
+const MOST_CELLS: u32 = 4096;
+const MOST_LISTED: u32 = 1 << 16;
 
 /// One scratch in a footprint. Coverage is that of the whole footprint; all else is told of the scratch's place that
 /// is nearest to the footprint's centre.
@@ -71,7 +84,8 @@ impl Pattern {
             reach_mm: self.extent.half_width_mm.into(),
         };
         let mut candidates = Candidates::new();
-        let complete = self.candidates(&reach, &mut candidates);
+        let complete = self.candidates(&reach, &mut candidates)
+            || self.all_candidates(&reach, &mut candidates);
         let mut listing = Listing {
             pattern: self,
             reach: &reach,
@@ -88,6 +102,36 @@ impl Pattern {
         }
         listing.close();
         Ok(listing.found)
+    }
+
+    /// As [`Self::candidates`], more patiently: a piece that many cells list counts once.
+    fn all_candidates(&self, reach: &Reach<'_>, found: &mut Candidates) -> bool {
+        let [low, high] = reach.box_uv();
+        found.clear();
+        if self.grid.raster.count_touched(low, high) > MOST_CELLS {
+            return false;
+        }
+        let mut listed = 0;
+        let flow = self.grid.query(low, high, |number| {
+            listed += 1;
+            let is_known = found.last() == Some(&number);
+            if is_known || misses(&self.curves().control(number as usize), low, high) {
+                return ControlFlow::Continue(());
+            }
+            let mut has_room = listed <= MOST_LISTED;
+            if found.is_full() {
+                each_once(found);
+                // Where that makes hardly any room, it would have to be made again at once.
+                has_room &= found.remaining_capacity() > found.capacity() / 8;
+            }
+            if !has_room {
+                return ControlFlow::Break(());
+            }
+            found.push(number);
+            ControlFlow::Continue(())
+        });
+        each_once(found);
+        flow.is_continue()
     }
 
     /// The place nearest to the footprint's centre on the way along a scratch, from `at` (a share of its arc
@@ -146,6 +190,38 @@ impl Pattern {
     }
 }
 
+fn each_once(found: &mut Candidates) {
+    found.sort_unstable();
+    let mut last = None;
+    found.retain(|number| last.replace(*number) != Some(*number));
+}
+
+/// What later runs leave of an area, by points: where they cut it into too many parts.
+fn sampled(later: &[Hit<'_>], cover: &Region) -> f64 {
+    let holds =
+        |region: &Region, p: DVec2| region.edges().all(|(a, b)| (b - a).perp_dot(p - a) >= 0.0);
+    let corners = cover.corners();
+    let low = corners.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+    let high = corners
+        .iter()
+        .copied()
+        .fold(DVec2::NEG_INFINITY, DVec2::max);
+    let place = |i: u32| (f64::from(i) + 0.5) / f64::from(SAMPLES);
+    let (mut inside, mut left) = (0, 0);
+    for (i, j) in (0..SAMPLES).flat_map(|i| (0..SAMPLES).map(move |j| (i, j))) {
+        let p = low + (high - low) * DVec2::new(place(i), place(j));
+        if !holds(cover, p) {
+            continue;
+        }
+        let is_cut = later
+            .iter()
+            .any(|run| run.cover.is_some_and(|region| holds(&region, p)));
+        inside += 1;
+        left += u32::from(!is_cut);
+    }
+    cover.area() * f64::from(left) / f64::from(inside.max(1))
+}
+
 /// A place of a scratch: share of arc length, and mm in the local frame.
 struct Place {
     at: f64,
@@ -191,19 +267,16 @@ impl Listing<'_> {
         let mut all = true;
         let (pattern, reach) = (self.pattern, self.reach);
         pattern.for_each_run(candidates, reach, &mut |run| {
-            all &= runs.try_push(run).is_ok();
+            all &= run.cover.is_none() || runs.try_push(run).is_ok();
         });
         if !all {
             return false;
         }
         for (i, run) in runs.iter().enumerate() {
-            match uncut(&runs, i, self.pixel_area) {
-                Some(parts) => {
-                    let ends = run.ends_mm();
-                    let covered = parts.into_iter().filter_map(|part| run.covered(ends, part));
-                    self.add(run, covered.map(|part| part.area()).sum());
-                }
-                None => self.add_average(run),
+            let Some(cover) = run.cover else { continue };
+            match uncut::<MOST_PARTS>(&runs, i, cover, self.pixel_area) {
+                Some(parts) => self.add(run, parts.iter().map(Region::area).sum()),
+                None => self.add(run, sampled(&runs[i + 1..], &cover)),
             }
         }
         true

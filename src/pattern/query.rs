@@ -108,7 +108,7 @@ impl Reach<'_> {
     }
 
     /// The box in (u, v) of all within reach.
-    fn box_uv(&self) -> [DVec2; 2] {
+    pub(super) fn box_uv(&self) -> [DVec2; 2] {
         let reach = self.metric.reach_uv(self.reach_mm);
         let [low, high] = self.footprint_uv();
         [low - reach, high + reach]
@@ -128,7 +128,7 @@ fn sort_out(found: &mut Candidates) {
 }
 
 /// Whether a curve lies beside a box: for long oblique pieces their own box says little.
-fn misses(control: &[DVec2; 4], low: DVec2, high: DVec2) -> bool {
+pub(super) fn misses(control: &[DVec2; 4], low: DVec2, high: DVec2) -> bool {
     let [from, to] = bounds(control);
     if !(from.cmple(high).all() && to.cmpge(low).all()) {
         return true;

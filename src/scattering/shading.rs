@@ -20,6 +20,9 @@ const LONGEST_PARALLAX: f64 = 20.0;
 /// through a pixel that lies within a scratch.
 const ROUNDING: f32 = 1e-6;
 
+/// Parts that crossings may cut a run's share of the pixel into.
+const MOST_PARTS: usize = 8;
+
 /// Runs of scratch that are looked at one by one: more than are held, for later ones cut earlier ones away.
 const MOST_HITS: usize = 64;
 
@@ -305,7 +308,7 @@ impl Shading {
         let layered = Layered::cut(xs, zs, layers.map(|layer| layer.bottom_mm));
         let (xs, zs, layer) = layered.parts();
         let first = self.zones.free(xs.len())?;
-        let left = uncut(hits, i, pixel_area)?;
+        let left = uncut::<MOST_PARTS>(hits, i, hit.region, pixel_area)?;
         let densities = &mut self.zones.densities;
         let weight = densities.add_regions(&left, hit.origin, across, pixel_area)?;
         let mut numbers = [0; MOST_LAYERS + 1];

@@ -46,6 +46,12 @@ FORWARD(StriaeStatus, striae_shade,
         (pattern, point, view, shading))
 FORWARD(StriaeStatus, striae_eval, (const StriaeShading *shading, const float light[3], uint32_t flags, float f[3]),
         (shading, light, flags, f))
+FORWARD(StriaeStatus, striae_frame_to_world, (const StriaeFrame *frame, const float local[3], float world[3]),
+        (frame, local, world))
+FORWARD(StriaeStatus, striae_pattern_query,
+        (const StriaePattern *pattern, const StriaePoint *point, StriaeHit *hits, size_t capacity,
+         StriaeHitCount *count),
+        (pattern, point, hits, capacity, count))
 FORWARD_RELEASE(striae_tool_release, const StriaeTool)
 FORWARD_RELEASE(striae_pattern_release, const StriaePattern)
 FORWARD_RELEASE(striae_pattern_builder_free, StriaePatternBuilder)

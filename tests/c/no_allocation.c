@@ -42,13 +42,13 @@ static void counter_counts(void) {
 }
 
 typedef struct Shaded {
-    size_t allocations, on_plate, lit;
+    size_t allocations, on_plate, lit, scratched;
 } Shaded;
 
 /* One view, every pixel's middle. */
 static void *shade_view(void *user) {
     Shaded *shaded = user;
-    *shaded = (Shaded){0, 0, 0};
+    *shaded = (Shaded){0, 0, 0, 0};
     allocation_counter_start();
     trace_prepare_thread();
     for (int y = 0; y < HEIGHT; y++) {
@@ -58,6 +58,9 @@ static void *shade_view(void *user) {
             if (shade_sample(&stage, &sample, radiance) != stage.scene->judged_face) continue;
             shaded->on_plate++;
             shaded->lit += radiance[0] > 0.0;
+            Label label;
+            shade_label(&stage, &sample, &label);
+            shaded->scratched += label.id > 0.0f;
         }
     }
     shaded->allocations = allocation_counter_stop();
@@ -71,17 +74,18 @@ static void shade_in_fresh_thread(Shaded *shaded) {
 }
 
 static void expect_no_allocation(const Shaded *shaded) {
-    printf("  %zu points on the plate, %zu lit, %zu allocations\n", shaded->on_plate, shaded->lit,
-           shaded->allocations);
+    printf("  %zu points on the plate, %zu lit, %zu scratched, %zu allocations\n", shaded->on_plate, shaded->lit,
+           shaded->scratched, shaded->allocations);
     EXPECT(shaded->on_plate > WIDTH * HEIGHT / 10);
     EXPECT(shaded->lit == shaded->on_plate);
+    EXPECT(shaded->scratched > 100);
     EXPECT(shaded->allocations == 0);
 }
 
 int main(void) {
     char error[SCENE_ERROR_SIZE];
     Scene scene;
-    Shaded shaded = {0, 0, 0};
+    Shaded shaded = {0, 0, 0, 0};
 #ifdef STRIAE_LIBRARY
     if (!EXPECT(dlopened_striae_open(STRIAE_LIBRARY))) return expect_summary();
 #endif

@@ -1,5 +1,11 @@
 # Every picture is there, and is what its name says.
-message("protects: each view and the contact sheet, as EXR and as PNG")
+message("protects: each view and the contact sheet, as EXR and as PNG, and the labels as PNG")
+foreach(name plate-1-id plate-1-coverage plate-3-id plate-3-coverage)
+  file(READ "${FOLDER}/${name}.png" head LIMIT 8 HEX)
+  if(NOT head STREQUAL 89504e470d0a1a0a)
+    message(FATAL_ERROR "${FOLDER}/${name}.png begins with ${head}")
+  endif()
+endforeach()
 foreach(name plate-1 plate-2 plate-3 contact-sheet)
   foreach(kind exr:762f3101 png:89504e470d0a1a0a)
     string(REPLACE ":" ";" kind ${kind})

@@ -10,7 +10,7 @@ function(renderer_test name exit_code output)
   striae_test_settings(renderer_${name})
 endfunction()
 
-renderer_test(check 0 "worst view: RMS [0-9.]+ %" --check --width 128 --height 72 --out "'${pictures}'")
+renderer_test(check 0 "worst view: RMS [0-9.]+ %" --check --aov --width 128 --height 72 --out "'${pictures}'")
 renderer_test(many_samples 0 "contact-sheet.png" --spp 16 --width 96 --height 54 --threads 1 --out "'${pictures}-16'")
 renderer_test(help 0 "--width N" --help)
 renderer_test(bad_width 2 "--width is \"12x\"; accepted: a whole number from 16 to 8192" --width 12x)
@@ -24,5 +24,8 @@ renderer_test(bad_folder 1 "/proc/nowhere: " --out /proc/nowhere)
 
 add_test(NAME renderer_pictures COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${pictures}"
   -P "${CMAKE_CURRENT_SOURCE_DIR}/pictures.cmake")
+striae_c_test(renderer_layers renderer_layers.c LIBRARIES striae_renderer striae::striae)
+target_include_directories(test_renderer_layers SYSTEM PRIVATE "${OPENEXR_INCLUDE_DIR}")
+set_tests_properties(renderer_layers PROPERTIES ENVIRONMENT "PICTURES=${pictures}" FIXTURES_REQUIRED pictures)
 set_tests_properties(renderer_check PROPERTIES FIXTURES_SETUP pictures)
 set_tests_properties(renderer_pictures PROPERTIES FIXTURES_REQUIRED pictures)
