@@ -4,7 +4,6 @@
 //! piece, for pixels that hold many.
 
 use super::Pattern;
-use super::grid::CellPieces;
 use super::region::Region;
 use arrayvec::ArrayVec;
 use core::ops::ControlFlow;
@@ -64,19 +63,20 @@ impl Strip {
 
 /// The share of each piece that later scratches leave: those that cover a part of it each do so independently
 /// of one another.
-pub(super) fn visible_shares(pattern: &Pattern, _cells: &CellPieces) -> Vec<f32> {
+pub(super) fn visible_shares(pattern: &Pattern) -> Vec<f32> {
     let count = pattern.curves().pieces.len();
     let strips: Vec<Strip> = (0..count)
         .into_par_iter()
         .map(|i| strip(pattern, i))
         .collect();
-    let reach = DVec2::splat(f64::from(pattern.extent.half_width_mm))
+    // Two strips that overlap lie no farther apart than both half widths.
+    let reach = DVec2::splat(2.0 * f64::from(pattern.extent.half_width_mm))
         / (pattern.units_per_uv * pattern.mm_per_scene_unit);
     let visible = |number: usize| {
-        let [low, high] = pattern.curves().bounds(number);
+        let control = pattern.curves().control(number);
         let mut later: ArrayVec<usize, MOST_NEIGHBOURS> = ArrayVec::new();
         let mut visible = 1.0;
-        let _ = pattern.grid.query(low - reach, high + reach, |other| {
+        let _ = pattern.grid.query_along(&control, reach, |other| {
             let other = other as usize;
             if other <= number + 1
                 || strips[number].misses(&strips[other])
@@ -92,7 +92,14 @@ pub(super) fn visible_shares(pattern: &Pattern, _cells: &CellPieces) -> Vec<f32>
         });
         crate::single(visible.max(0.0))
     };
-    (0..count).into_par_iter().map(visible).collect()
+    // Neighbours one after the other: they look at the same strips.
+    let order = pattern.grid.in_order(pattern.curves());
+    let shares: Vec<f32> = order.par_iter().map(|&number| visible(number)).collect();
+    let mut all = vec![1.0; count];
+    for (number, share) in order.into_iter().zip(shares) {
+        all[number] = share;
+    }
+    all
 }
 
 fn strip(pattern: &Pattern, number: usize) -> Strip {

@@ -3,10 +3,12 @@
 
 use super::Pattern;
 use super::closest::{bezier, length_share};
-use super::crowd::{Crowd, Packed};
+use super::crowd::{Crowd, MOST_ENTRIES, Packed};
 use super::grid::{CellPieces, Raster};
 use super::query::{Candidates, Hit, Reach};
 use super::region::Region;
+use super::store::Store;
+use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -25,15 +27,15 @@ const CHORD_CHANGE: f64 = 0.14;
 /// A pyramid of cells: level 0 are the grid's, each level has half as many per side as the one before.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pyramid {
-    levels: Vec<Level>,
+    pub(super) levels: Store<Level>,
     /// Where each cell's entries start; one more than there are cells.
-    starts: Vec<u32>,
-    entries: Vec<Packed>,
+    pub(super) starts: Store<u32>,
+    pub(super) entries: Store<Packed>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
-struct Level {
+pub(super) struct Level {
     raster: Raster,
     first_cell: u32,
     padding: u32,
@@ -92,10 +94,10 @@ impl Pattern {
     /// Calls `visit` with the chords of a piece.
     fn for_each_chord(&self, number: usize, mut visit: impl FnMut(Chord)) {
         let curves = self.curves();
-        let Some((piece, (track, course))) = curves
+        let Some((track, course)) = curves
             .pieces
             .get(number)
-            .and_then(|piece| Some((piece, self.strand(piece.scratch)?)))
+            .and_then(|piece| self.strand(piece.scratch))
         else {
             return;
         };
@@ -111,7 +113,6 @@ impl Pattern {
         let count = (1..MOST_CHORDS).find(|&count| needed <= f64::from(count));
         let count = count.unwrap_or(MOST_CHORDS);
         let visible = f64::from(self.visible_share(number));
-        debug_assert!(piece.end_at > 0.0, "a piece has a length");
         let mut start = control[0];
         for i in 0..count {
             let t = |i: f64| i / f64::from(count);
@@ -173,6 +174,20 @@ impl Pyramid {
         pyramid
     }
 
+    /// Whether all cells of all levels have entries.
+    #[cfg(feature = "files")]
+    pub(super) fn is_sound(&self) -> bool {
+        let cells = self.starts.len().saturating_sub(1);
+        self.levels.iter().all(|level| {
+            level.raster.is_sound()
+                && level
+                    .raster
+                    .count()
+                    .checked_add(level.first_cell as usize)
+                    .is_some_and(|end| end <= cells)
+        })
+    }
+
     /// Memory of all arrays.
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&self.levels[..])
@@ -224,7 +239,8 @@ impl Pyramid {
                 let share = crate::single(reach.footprint.share_of_cell(corners));
                 if share > 0.0 {
                     crowd.add_packed(entries, share);
-                    crowd.count += u32::try_from(entries.len()).unwrap_or(0);
+                    let count = u32::try_from(entries.len()).unwrap_or(0);
+                    crowd.count = crowd.count.saturating_add(count);
                 }
             }
         }
@@ -233,8 +249,10 @@ impl Pyramid {
     fn entries_of(&self, cell: u32) -> &[Packed] {
         let start = |i: usize| self.starts.get(i).map_or(0, |&start| start as usize);
         let cell = cell as usize;
-        self.entries
-            .get(start(cell)..start(cell + 1))
+        let entries = self.entries.get(start(cell)..start(cell + 1));
+        // A damaged file may claim anything.
+        entries
+            .filter(|entries| entries.len() <= MOST_ENTRIES)
             .unwrap_or(&[])
     }
 }

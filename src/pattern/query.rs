@@ -261,7 +261,11 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
         let (track, course) = self.pattern.strand(piece.scratch)?;
         let control = self.control(number);
         let [first, last] = self.pattern.pieces_of(piece.scratch);
-        let before = if number == first { last } else { number - 1 };
+        let before = if number == first {
+            last
+        } else {
+            number.wrapping_sub(1)
+        };
         let next = if number == last { first } else { number + 1 };
         let follows = |number: usize| {
             self.curves
