@@ -11,7 +11,7 @@ const GGX_CONDUCTOR: u32 = 2;
 
 /// A base BRDF, evaluated as `shared(pair) * lobe_cos(normal, pair)`: the first factor is the same for all
 /// zones of a finish, the second depends on the zone's normal.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub(crate) struct Finish {
     kind: u32,

@@ -49,7 +49,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>> {
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "the form that map_err wants")]
-fn unreadable(error: io::Error) -> FileError {
+pub(super) fn unreadable(error: io::Error) -> FileError {
     let found = match error.kind() {
         io::ErrorKind::NotFound => "is not there".to_owned(),
         io::ErrorKind::PermissionDenied => "may not be read".to_owned(),

@@ -4,9 +4,11 @@
 //! cross-section: ahead of the fan's centre its own half, behind it the scratch's other side as a line along the
 //! sector's axis meets it. What lies behind has no weight, but hides and shadows as it does along the scratch.
 
+use super::store::Store;
 use super::tracks::Section;
 use crate::formation::{End, EndCap, SECTORS};
 use crate::single;
+use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, Vec2};
 
 /// Points of the scratch's other side that are kept: foot, crest and edge. What is below the edge hides nothing.
@@ -35,15 +37,15 @@ pub(crate) struct EndCaps {
 /// All caps of a pattern.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Caps {
-    stations: Vec<Station>,
+    pub(super) stations: Store<Station>,
     /// [`SECTORS`] for each station.
-    wedges: Vec<Wedge>,
+    pub(super) wedges: Store<Wedge>,
     /// The same count for each sector of a track.
-    vertices: Vec<Vec2>,
+    pub(super) vertices: Store<Vec2>,
 }
 
 /// Which of all stations are those of one end of a track.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct CapRange {
     first: u32,
@@ -51,9 +53,9 @@ pub(crate) struct CapRange {
 }
 
 /// A force (or depth, or share of arc length) for which the cap is known.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
-struct Station {
+pub(super) struct Station {
     at: f32,
     /// Where the fan's centre is, mm to the right of the path's end.
     offset_mm: f32,
@@ -61,7 +63,7 @@ struct Station {
 }
 
 /// Borders and axis of a sector, radians from travel, counter-clockwise from above.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Wedge {
     pub from_rad: f32,

@@ -50,7 +50,7 @@ pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
     let run = &hits[i];
     let Some(own) = run.cover else { return 0.0 };
     let [low, high] = own.bounds();
-    let (ends, area) = (run.ends_mm(), own.area());
+    let (ends, area) = (run.ends_mm, own.area());
     let mut left = 1.0;
     for later in &hits[i + 1..] {
         let Some(cover) = later.cover else { continue };

@@ -2,11 +2,15 @@
 //! told apart.
 
 use super::palette::{MOST_CLASSES, Palette};
+use bytemuck::{Pod, Zeroable};
 use core::f64::consts::{PI, TAU};
 use glam::DVec2;
 
 /// Directions of travel, once around. Directions within one are kept as their mean.
 pub(crate) const DIRECTIONS: usize = 64;
+
+/// Entries of a prefiltered cell.
+pub(crate) const MOST_ENTRIES: usize = KEYS;
 
 const KEYS: usize = MOST_CLASSES * DIRECTIONS;
 
@@ -23,7 +27,7 @@ pub(crate) struct Crowd {
 }
 
 /// One entry of a prefiltered cell: 9 bits of key, 7 of place within the step, and a number's upper 16.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(transparent)]
 pub(crate) struct Packed(u32);
 

@@ -4,6 +4,8 @@
 //! than an empty plain (as the two-level grids of Kalojanov et al. 2011 for ray tracing).
 
 use super::pieces::{Curves, bounds, sagitta};
+use super::store::Store;
+use bytemuck::{Pod, Zeroable};
 use core::ops::{ControlFlow, RangeInclusive};
 use glam::DVec2;
 use rayon::prelude::*;
@@ -24,14 +26,14 @@ const MOST_PARTS: f64 = 1024.0;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Grid {
     pub raster: Raster,
-    cells: Vec<Cell>,
+    pub(super) cells: Store<Cell>,
     /// Where each part's list starts in `entries`; one more than there are parts.
-    starts: Vec<u32>,
-    entries: Vec<u32>,
+    pub(super) starts: Store<u32>,
+    pub(super) entries: Store<u32>,
 }
 
 /// A rectangle in equal cells.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Raster {
     origin: DVec2,
@@ -42,9 +44,9 @@ pub(crate) struct Raster {
 }
 
 /// A cell's parts: `side` by `side`, their lists beginning at number `first` of `starts`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
-struct Cell {
+pub(super) struct Cell {
     first: u32,
     side: u32,
 }
@@ -85,9 +87,10 @@ impl Grid {
             .collect();
         let mut grid = Self {
             raster,
-            cells: Vec::with_capacity(count),
-            starts: Vec::with_capacity(parts.iter().map(|part| part.ends.len()).sum::<usize>() + 1),
-            entries: Vec::with_capacity(parts.iter().map(|part| part.entries.len()).sum()),
+            cells: Vec::with_capacity(count).into(),
+            starts: Vec::with_capacity(parts.iter().map(|part| part.ends.len()).sum::<usize>() + 1)
+                .into(),
+            entries: Vec::with_capacity(parts.iter().map(|part| part.entries.len()).sum()).into(),
         };
         grid.starts.push(0);
         for Parts {
@@ -117,10 +120,11 @@ impl Grid {
         let Some((columns, rows)) = self.raster.touched(low, high) else {
             return ControlFlow::Continue(());
         };
+        let (starts, entries) = (&*self.starts, &*self.entries);
         for row in rows {
             for column in columns.clone() {
                 let number = row * self.raster.columns + column;
-                let Some(cell) = self.cells.get(number as usize) else {
+                let Some(cell) = self.cell(number as usize) else {
                     continue;
                 };
                 let parts = self.raster.cell(number as usize).parted(cell.side);
@@ -129,7 +133,8 @@ impl Grid {
                 };
                 for row in rows {
                     for column in columns.clone() {
-                        for &piece in self.list(cell.first + row * cell.side + column) {
+                        let part = cell.first + row * cell.side + column;
+                        for &piece in list(starts, entries, part as usize) {
                             visit(piece)?;
                         }
                     }
@@ -146,17 +151,82 @@ impl Grid {
             + size_of_val(&self.entries[..])
     }
 
-    /// The pieces of a part.
-    fn list(&self, part: u32) -> &[u32] {
-        let start = |i: u32| {
-            self.starts
-                .get(i as usize)
-                .map_or(0, |&start| start as usize)
+    /// As [`Self::query`], for what lies within `reach` of a curve.
+    pub(crate) fn query_along(
+        &self,
+        control: &[DVec2; 4],
+        reach: DVec2,
+        mut visit: impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let [low, high] = bounds(control);
+        let [low, high] = [low - reach, high + reach];
+        let sagitta = sagitta(control) + reach.max_element();
+        let Some((columns, rows)) = self.raster.touched(low, high) else {
+            return ControlFlow::Continue(());
         };
-        self.entries
-            .get(start(part)..start(part + 1))
-            .unwrap_or(&[])
+        let (starts, entries) = (&*self.starts, &*self.entries);
+        for row in rows {
+            for column in columns.clone() {
+                let number = (row * self.raster.columns + column) as usize;
+                let Some(cell) = self.cell(number) else {
+                    continue;
+                };
+                let parts = self.raster.cell(number).parted(cell.side);
+                let Some((_, rows)) = parts.touched(low, high) else {
+                    continue;
+                };
+                for row in rows {
+                    for column in parts.columns_of(control, [low, high], sagitta, row) {
+                        let part = cell.first + row * cell.side + column;
+                        for &piece in list(starts, entries, part as usize) {
+                            visit(piece)?;
+                        }
+                    }
+                }
+            }
+        }
+        ControlFlow::Continue(())
     }
+
+    /// All pieces, cell by cell of where they begin.
+    pub(crate) fn in_order(&self, curves: Curves<'_>) -> Vec<usize> {
+        let place = |number: u32| {
+            let [start, ..] = curves.control(number as usize);
+            let [column, row] =
+                [0, 1].map(|axis| *self.raster.cells(start[axis], start[axis], axis).start());
+            u64::from(row * self.raster.columns + column) << 32 | u64::from(number)
+        };
+        let mut order: Vec<u64> = (0..number(curves.pieces.len()))
+            .into_par_iter()
+            .map(place)
+            .collect();
+        order.par_sort_unstable();
+        order.iter().map(|&pair| low_half(pair) as usize).collect()
+    }
+
+    /// A cell, if its parts end where the next one's begin: a damaged file may claim endlessly many.
+    fn cell(&self, number: usize) -> Option<Cell> {
+        let cell = *self.cells.get(number)?;
+        let next = self.cells.get(number + 1);
+        let end = next.map_or(self.starts.len() as u64 - 1, |next| next.first.into());
+        let parts = u64::from(cell.side) * u64::from(cell.side);
+        (u64::from(cell.first) + parts == end).then_some(cell)
+    }
+
+    /// Whether its numbers fit together, which a damaged file's may not.
+    #[cfg(feature = "files")]
+    pub(super) fn is_sound(&self) -> bool {
+        let is_empty = self.raster == Raster::default();
+        (is_empty || self.raster.is_sound() && !self.starts.is_empty())
+            && self.cells.len() == self.raster.count()
+    }
+}
+
+/// The pieces of a part.
+fn list<'g>(starts: &[u32], entries: &'g [u32], part: usize) -> &'g [u32] {
+    let start = |i: usize| starts.get(i).map_or(0, |&start| start as usize);
+    let list = entries.get(start(part)..start(part + 1));
+    list.unwrap_or(&[])
 }
 
 /// The pieces of each of a grid's cells, for what else is built from them.
@@ -238,6 +308,17 @@ impl Raster {
             columns: cell_number(cells.x),
             rows: cell_number(cells.y),
         }
+    }
+
+    /// Whether it is one that [`Self::over`] or [`Self::coarser`] could have made.
+    #[cfg(feature = "files")]
+    pub(super) fn is_sound(&self) -> bool {
+        let is_plain = |v: DVec2| v.is_finite() && v.cmpgt(DVec2::ZERO).all();
+        self.origin.is_finite()
+            && is_plain(self.per_unit)
+            && is_plain(1.0 / self.per_unit)
+            && (1..=4096).contains(&self.columns)
+            && (1..=4096).contains(&self.rows)
     }
 
     /// How many cells it has.
@@ -341,15 +422,20 @@ impl Raster {
         }
         let sagitta = sagitta(control);
         for row in rows {
-            for column in self.columns_of(control, sagitta, row) {
+            for column in self.columns_of(control, [low, high], sagitta, row) {
                 visit(row * self.columns + column);
             }
         }
     }
 
     /// The columns a curve crosses in one row: where its chord, widened by its sagitta, crosses the row.
-    fn columns_of(&self, control: &[DVec2; 4], sagitta: f64, row: u32) -> RangeInclusive<u32> {
-        let [low, high] = bounds(control);
+    fn columns_of(
+        &self,
+        control: &[DVec2; 4],
+        [low, high]: [DVec2; 2],
+        sagitta: f64,
+        row: u32,
+    ) -> RangeInclusive<u32> {
         let (start, chord) = (control[0], control[3] - control[0]);
         let bottom = self.origin.y + f64::from(row) / self.per_unit.y - sagitta;
         let top = self.origin.y + f64::from(row + 1) / self.per_unit.y + sagitta;

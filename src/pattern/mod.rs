@@ -26,7 +26,10 @@ mod prefilter;
 mod query;
 mod region;
 mod scratch;
+#[cfg(feature = "files")]
+mod sections;
 mod spline;
+mod store;
 mod surface;
 mod track;
 mod tracks;
@@ -47,6 +50,8 @@ pub use point::{Footprint, Frame, SurfacePoint};
 pub(crate) use query::{Candidates, Hit, Reach};
 pub(crate) use region::{MOST_CORNERS, Region};
 pub use scratch::{Held, Key, Scratch};
+#[cfg(feature = "files")]
+pub(crate) use sections::{FACTS, SECTIONS, Section, Sections};
 pub use spline::{Spline, SplineKind};
 pub use surface::Surface;
 pub(crate) use track::MOST_VERTICES;

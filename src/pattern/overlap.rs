@@ -79,14 +79,15 @@ pub(super) fn visible_shares(pattern: &Pattern) -> Vec<[u8; 4]> {
         .into_par_iter()
         .map(|i| strip(pattern, i))
         .collect();
-    let reach = DVec2::splat(f64::from(pattern.extent.half_width_mm))
+    // Two strips that overlap lie no farther apart than both half widths.
+    let reach = DVec2::splat(2.0 * f64::from(pattern.extent.half_width_mm))
         / (pattern.units_per_uv * pattern.mm_per_scene_unit);
     let visible = |number: usize| {
-        let [low, high] = pattern.curves().bounds(number);
+        let control = pattern.curves().control(number);
         let mut later: ArrayVec<usize, MOST_NEIGHBOURS> = ArrayVec::new();
         let mut visible = [1.0; 4];
         let quarters = [0, 1, 2, 3].map(|quarter| strips[number].quarter(quarter));
-        let _ = pattern.grid.query(low - reach, high + reach, |other| {
+        let _ = pattern.grid.query_along(&control, reach, |other| {
             let other = other as usize;
             if other <= number + 1
                 || strips[number].misses(&strips[other])
@@ -104,7 +105,14 @@ pub(super) fn visible_shares(pattern: &Pattern) -> Vec<[u8; 4]> {
         });
         visible.map(packed)
     };
-    (0..count).into_par_iter().map(visible).collect()
+    // Neighbours one after the other: they look at the same strips.
+    let order = pattern.grid.in_order(pattern.curves());
+    let shares: Vec<[u8; 4]> = order.par_iter().map(|&number| visible(number)).collect();
+    let mut all = vec![[255; 4]; count];
+    for (number, share) in order.into_iter().zip(shares) {
+        all[number] = share;
+    }
+    all
 }
 
 #[expect(

@@ -1,9 +1,11 @@
 //! The few cross-sections that stand for all of a pattern's where many scratches share a pixel.
 
 use super::layers::Layered;
+use super::store::Store;
 use super::track::MOST_VERTICES;
 use super::tracks::{TrackRef, Tracks};
 use crate::brdf::Finish;
+use bytemuck::{Pod, Zeroable};
 use core::f32::consts::FRAC_PI_2;
 use rayon::prelude::*;
 
@@ -35,14 +37,14 @@ const FINISH_RAD: f32 = 0.35;
 /// Cross-sections one unit wide, from -1/2 to 1/2.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Palette {
-    classes: Vec<Class>,
-    points: Vec<Point>,
-    pub finishes: Vec<Finish>,
+    pub(super) classes: Store<Class>,
+    pub(super) points: Store<Point>,
+    pub finishes: Store<Finish>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
-struct Class {
+pub(super) struct Class {
     first: u32,
     count: u32,
     /// 1 if its mirror image is itself: travel to and fro are one.
@@ -50,7 +52,7 @@ struct Class {
 }
 
 /// A vertex, and the number of the finish of the facet that it begins.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Point {
     pub x: f32,
@@ -59,7 +61,7 @@ pub(crate) struct Point {
 }
 
 /// How a cross-section is shared between two classes.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Blend {
     pub classes: [u16; 2],
@@ -74,7 +76,7 @@ impl Palette {
     /// A palette for tracks whose stations stand for `areas` (any unit, track after track, station after station).
     pub(crate) fn new(tracks: &Tracks, areas: &[f64]) -> Self {
         let mut palette = Self {
-            finishes: tracks.finishes(),
+            finishes: tracks.finishes().into(),
             ..Self::default()
         };
         let all: f64 = areas.iter().sum();
@@ -145,6 +147,15 @@ impl Palette {
             (0..track.station_count()).map(blend).collect::<Vec<_>>()
         };
         tracks.par_iter().flat_map_iter(of_track).collect()
+    }
+
+    /// Whether it fits where classes are kept while shading, which a damaged file's may not.
+    #[cfg(feature = "files")]
+    pub(super) fn is_sound(&self) -> bool {
+        let fits = |class| (2..=MOST_CLASS_VERTICES).contains(&self.points(class).len());
+        self.points.len() <= MOST_POINTS
+            && self.classes.len() <= MOST_CLASSES
+            && (0..self.classes.len()).all(fits)
     }
 
     fn push(&mut self, shape: &Shape, most_vertices: usize) {

@@ -8,8 +8,10 @@ use super::palette::Palette;
 use super::pieces::{Curves, Piece};
 use super::prefilter::Pyramid;
 use super::query::Candidates;
+use super::store::Store;
 use super::tracks::{Extent, TrackRef, Tracks};
 use crate::brdf::Finish;
+use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
 /// Neighbouring pieces that turn less than this in all are one run, with one frame, degrees. On smooth finishes
@@ -19,13 +21,13 @@ const MOST_RUN_DEG: f64 = 2.0;
 /// A surface with its scratches, immutable: share it between threads as you like.
 #[derive(Clone, Debug)]
 pub struct Pattern {
-    points: Vec<DVec2>,
-    pieces: Vec<Piece>,
-    strands: Vec<Strand>,
-    knots: Vec<[f32; 2]>,
-    tracks: Tracks,
+    pub(super) points: Store<DVec2>,
+    pub(super) pieces: Store<Piece>,
+    pub(super) strands: Store<Strand>,
+    pub(super) knots: Store<[f32; 2]>,
+    pub(super) tracks: Tracks,
     /// What later scratches leave of the quarters of each piece, in 255ths.
-    visible: Vec<[u8; 4]>,
+    pub(super) visible: Store<[u8; 4]>,
     pub(crate) palette: Palette,
     pub(super) pyramid: Pyramid,
     pub(super) grid: Grid,
@@ -47,7 +49,7 @@ pub struct PatternMemory {
 }
 
 /// One scratch: where its share of the arrays begins, and what is its alone.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct Strand {
     pub first_piece: u32,
@@ -80,24 +82,29 @@ impl Pattern {
             .map(Finish::alpha)
             .fold(1.0, f32::min);
         let mut pattern = Self {
-            points: curves.points.to_vec(),
-            pieces: curves.pieces.to_vec(),
-            strands: builder.scratches.iter().map(strand).collect(),
-            knots: builder.courses.knots().to_vec(),
+            points: curves.points.to_vec().into(),
+            pieces: curves.pieces.to_vec().into(),
+            strands: builder
+                .scratches
+                .iter()
+                .map(strand)
+                .collect::<Vec<_>>()
+                .into(),
+            knots: builder.courses.knots().to_vec().into(),
             extent: tracks.extent(),
             run_cos: run_cos(smoothest),
             surface: Finish::new(&builder.material.surface),
             mm_per_scene_unit: builder.mm_per_scene_unit,
             units_per_uv: builder.units_per_uv,
-            visible: Vec::new(),
+            visible: Store::default(),
             palette: Palette::default(),
             pyramid: Pyramid::default(),
             grid,
             tracks,
         };
-        pattern.visible = visible_shares(&pattern);
+        pattern.visible = visible_shares(&pattern).into();
         pattern.palette = Palette::new(&pattern.tracks, &pattern.station_areas());
-        pattern.tracks.blends = pattern.palette.blends(&pattern.tracks);
+        pattern.tracks.blends = pattern.palette.blends(&pattern.tracks).into();
         pattern.pyramid = Pyramid::new(&pattern, &cells);
         pattern
     }
@@ -106,7 +113,7 @@ impl Pattern {
     fn station_areas(&self) -> Vec<f64> {
         const PLACES: u32 = 4;
         let mut areas = vec![0.0; self.tracks.station_count()];
-        for (scratch, strand) in (0_u32..).zip(&self.strands) {
+        for (scratch, strand) in (0_u32..).zip(&*self.strands) {
             let Some((track, course)) = self.strand(scratch) else {
                 continue;
             };
@@ -184,7 +191,9 @@ impl Pattern {
         let strand = self.strands.get(scratch as usize)?;
         let first = strand.first_knot as usize;
         let course = Course {
-            knots: self.knots.get(first..first + strand.knot_count as usize)?,
+            knots: self
+                .knots
+                .get(first..first.checked_add(strand.knot_count as usize)?)?,
             scale: strand.scale,
         };
         Some((self.tracks.get(strand.track)?, course))

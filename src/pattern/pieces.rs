@@ -2,6 +2,7 @@
 
 use super::closest::{length_share, speed};
 use super::path::{Curve, scaled};
+use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use kurbo::{CubicBez, ParamCurve, Point};
 
@@ -20,7 +21,7 @@ const LINE: u32 = 1 << 31;
 const JOINED: u32 = 1 << 30;
 
 /// A piece of a path: a cubic Bézier curve in texture space.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Piece {
     /// Number of its first control point, and the two flags.
@@ -144,7 +145,9 @@ impl Curves<'_> {
 
     /// Shares of the path's arc length at a piece's start and end.
     pub(crate) fn at(&self, number: usize) -> [f64; 2] {
-        let piece = self.pieces[number];
+        let Some(piece) = self.pieces.get(number) else {
+            return [0.0; 2];
+        };
         let before = number.checked_sub(1).map(|i| self.pieces[i]);
         let start = before.filter(|before| before.scratch == piece.scratch);
         [start.map_or(0.0, |before| before.end_at), piece.end_at].map(f64::from)

@@ -4,10 +4,12 @@
 use super::Pattern;
 use super::caps::ENDS;
 use super::closest::{bezier, length_share, tangent};
-use super::crowd::{Crowd, Packed};
+use super::crowd::{Crowd, MOST_ENTRIES, Packed};
 use super::grid::{CellPieces, Raster};
 use super::query::{Candidates, Hit, Reach};
 use super::region::Region;
+use super::store::Store;
+use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -26,15 +28,15 @@ const CHORD_CHANGE: f64 = 0.14;
 /// A pyramid of cells: level 0 are the grid's, each level has half as many per side as the one before.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pyramid {
-    levels: Vec<Level>,
+    pub(super) levels: Store<Level>,
     /// Where each cell's entries start; one more than there are cells.
-    starts: Vec<u32>,
-    entries: Vec<Packed>,
+    pub(super) starts: Store<u32>,
+    pub(super) entries: Store<Packed>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
-struct Level {
+pub(super) struct Level {
     raster: Raster,
     first_cell: u32,
     padding: u32,
@@ -93,10 +95,10 @@ impl Pattern {
     /// Calls `visit` with the chords of a piece.
     fn for_each_chord(&self, number: usize, mut visit: impl FnMut(Chord)) {
         let curves = self.curves();
-        let Some((piece, (track, course))) = curves
+        let Some((track, course)) = curves
             .pieces
             .get(number)
-            .and_then(|piece| Some((piece, self.strand(piece.scratch)?)))
+            .and_then(|piece| self.strand(piece.scratch))
         else {
             return;
         };
@@ -115,7 +117,6 @@ impl Pattern {
         let count = count
             .unwrap_or(MOST_CHORDS)
             .max(if is_even { 1 } else { 4 });
-        debug_assert!(piece.end_at > 0.0, "a piece has a length");
         let mut start = control[0];
         for i in 0..count {
             let t = |i: f64| i / f64::from(count);
@@ -135,13 +136,15 @@ impl Pattern {
             });
             start = end;
         }
-        self.for_each_cap_chord(number, visible, &mut visit);
+        self.for_each_cap_chord(number, &mut visit);
     }
 
     /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis.
-    fn for_each_cap_chord(&self, number: usize, visible: f64, visit: &mut impl FnMut(Chord)) {
+    fn for_each_cap_chord(&self, number: usize, visit: &mut impl FnMut(Chord)) {
         let curves = self.curves();
-        for end in ENDS {
+        let visible = self.visible(number);
+        for (end, visible) in ENDS.into_iter().zip([visible[0], visible[3]]) {
+            let visible = f64::from(visible) / 255.0;
             let Some(cap) = self.cap_at(number, end) else {
                 continue;
             };
@@ -205,6 +208,20 @@ impl Pyramid {
         pyramid
     }
 
+    /// Whether all cells of all levels have entries.
+    #[cfg(feature = "files")]
+    pub(super) fn is_sound(&self) -> bool {
+        let cells = self.starts.len().saturating_sub(1);
+        self.levels.iter().all(|level| {
+            level.raster.is_sound()
+                && level
+                    .raster
+                    .count()
+                    .checked_add(level.first_cell as usize)
+                    .is_some_and(|end| end <= cells)
+        })
+    }
+
     /// Memory of all arrays.
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&self.levels[..])
@@ -256,7 +273,8 @@ impl Pyramid {
                 let share = crate::single(reach.footprint.share_of_cell(corners));
                 if share > 0.0 {
                     crowd.add_packed(entries, share);
-                    crowd.count += u32::try_from(entries.len()).unwrap_or(0);
+                    let count = u32::try_from(entries.len()).unwrap_or(0);
+                    crowd.count = crowd.count.saturating_add(count);
                 }
             }
         }
@@ -265,8 +283,10 @@ impl Pyramid {
     fn entries_of(&self, cell: u32) -> &[Packed] {
         let start = |i: usize| self.starts.get(i).map_or(0, |&start| start as usize);
         let cell = cell as usize;
-        self.entries
-            .get(start(cell)..start(cell + 1))
+        let entries = self.entries.get(start(cell)..start(cell + 1));
+        // A damaged file may claim anything.
+        entries
+            .filter(|entries| entries.len() <= MOST_ENTRIES)
             .unwrap_or(&[])
     }
 }

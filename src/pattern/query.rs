@@ -40,6 +40,8 @@ pub(crate) struct Hit<'p> {
     /// Where what it covers begins and ends, mm across from the centre line.
     pub ends_mm: [f64; 2],
     pub scratch: u32,
+    /// Share of the scratch's arc length at `origin`.
+    pub at: f64,
     /// A point of the scratch's centre line.
     pub origin: DVec2,
     /// The centre line's unit direction of travel there.
@@ -298,7 +300,11 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
         let (track, course) = self.pattern.strand(piece.scratch)?;
         let control = self.control(number);
         let [first, last] = self.pattern.pieces_of(piece.scratch);
-        let before = if number == first { last } else { number - 1 };
+        let before = if number == first {
+            last
+        } else {
+            number.wrapping_sub(1)
+        };
         let next = if number == last { first } else { number + 1 };
         let follows = |number: usize| {
             self.curves
@@ -422,6 +428,7 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             section,
             ends_mm: section.ends().map(f64::from),
             scratch: first.scratch,
+            at,
             origin,
             travel,
             parting: [
@@ -467,6 +474,7 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
                 section: sector.section,
                 ends_mm: [0.0, sector.outer_mm()],
                 scratch: part.scratch,
+                at: cap.at,
                 origin,
                 travel: axis.perp(),
                 parting,

@@ -2,27 +2,30 @@
 
 use super::caps::{CapRange, CapRef, Caps, vertices_per_sector};
 use super::palette::Blend;
-use super::track::Track;
+use super::store::Store;
+use super::track::{MOST_VERTICES, Track};
 use crate::brdf::Finish;
+use crate::formation::MOST_LAYERS;
 use crate::single;
+use bytemuck::{Pod, Zeroable};
 use glam::Vec2;
 
 /// All tracks, one after the other: no pointers to chase.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tracks {
-    records: Vec<Record>,
-    stations: Vec<Station>,
-    vertices: Vec<Vec2>,
-    layers: Vec<LayerFinish>,
-    caps: Caps,
+    pub(super) records: Store<Record>,
+    pub(super) stations: Store<Station>,
+    pub(super) vertices: Store<Vec2>,
+    pub(super) layers: Store<LayerFinish>,
+    pub(super) caps: Caps,
     /// How each station is shared between the palette's classes.
-    pub blends: Vec<Blend>,
+    pub blends: Store<Blend>,
 }
 
 /// Where one track's share of the arrays begins, and how long it is.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
-struct Record {
+pub(super) struct Record {
     first_station: u32,
     station_count: u32,
     first_vertex: u32,
@@ -36,16 +39,16 @@ struct Record {
 }
 
 /// A place on a track where its cross-section is known.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
-struct Station {
+pub(super) struct Station {
     at: f32,
     /// How much the cross-section has changed since the first station, as a share of the track's largest size.
     change: f32,
 }
 
 /// A layer's lower interface and finish.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct LayerFinish {
     /// z, mm, below 0.
@@ -54,7 +57,7 @@ pub(crate) struct LayerFinish {
 }
 
 /// What of a cross-section bounds how far it matters, mm.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Extent {
     pub half_width_mm: f32,
@@ -128,6 +131,13 @@ impl Tracks {
     /// A track by its number.
     pub(crate) fn get(&self, number: u32) -> Option<TrackRef<'_>> {
         let record = self.records.get(number as usize)?;
+        // A damaged file may claim anything.
+        let is_sound = record.station_count > 0
+            && (2..=MOST_VERTICES).contains(&(record.vertex_count as usize))
+            && record.layer_count as usize <= MOST_LAYERS;
+        if !is_sound {
+            return None;
+        }
         let (first, count) = (record.first_station as usize, record.station_count as usize);
         let (vertex, per_station) = (record.first_vertex as usize, record.vertex_count as usize);
         let layer = record.first_layer as usize;

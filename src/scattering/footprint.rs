@@ -173,7 +173,7 @@ impl Densities {
 
     /// The weight of the flat surface that the scratch takes from the pixel between x = `from` and `to`.
     pub(crate) fn taken(&self, weight: &Weight, [from, to]: [f32; 2]) -> f32 {
-        let inside = |x: f32| x.clamp(weight.window[0], weight.window[1]);
+        let inside = |x: f32| x.max(weight.window[0]).min(weight.window[1]);
         self.between(weight, inside(from), inside(to))
     }
 

@@ -219,6 +219,9 @@ impl Zones {
     /// Keeps a class's cross-section for flocks: its first slot and how many it takes, if there is room.
     pub(crate) fn keep_class(&mut self, palette: &Palette, class: usize) -> Option<[u32; 2]> {
         let points = palette.points(class);
+        if points.is_empty() {
+            return None;
+        }
         let first = self.free(points.len())?;
         for (slot, point) in (first as usize..).zip(points) {
             let finish = palette.finishes.get(point.finish as usize)?;

@@ -210,6 +210,9 @@ impl Shading {
             0.0
         };
         sum += self.surface.shared(&pair) * (flat * self.surface.lobe_cos(Vec3::Z, &pair));
+        if !sum.is_finite() {
+            sum = Vec3::ZERO;
+        }
         match output {
             Output::BrdfCos => sum.to_array(),
             Output::Brdf => (sum / light.z).to_array(),
@@ -377,6 +380,10 @@ impl Shading {
         };
         let crowd: f32 = self.flocks.iter().map(shown).sum();
         let all = crowd + reliefs.iter().map(Relief::coverage).sum::<f32>();
+        // What a damaged file holds may overflow: such a point is an unscratched one.
+        if !all.is_finite() {
+            return self.clear();
+        }
         if all > 1.0 {
             reliefs.iter_mut().for_each(|relief| relief.gain /= all);
             self.flocks.scale(1.0 / all);
