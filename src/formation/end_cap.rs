@@ -226,7 +226,7 @@ impl Sides {
         let side = usize::from(rim.place.x < 0.0);
         let share = 1.0 + (self.share[side] - 1.0) * sideways;
         let fade = match end {
-            End::Start => sideways * sideways,
+            End::Start => sideways,
             End::Stop => 1.0,
         };
         let half_mm2 = groove.measures.area_mm2 * share;
