@@ -215,7 +215,6 @@ fn rays_into_the_surface() {
     let pattern = stopped(&Tool::rockwell_c(), &[held(0.0, 0.0, 0.0)]);
     let mut random = random(71);
     let mut deviations: Vec<(f64, f64, String)> = Vec::new();
-    let mut without = Vec::new();
     for case in 0..60 {
         let most_deg = if case % 2 == 0 { 30.0 } else { 60.0 };
         let sheet = Sheet {
@@ -242,7 +241,6 @@ fn rays_into_the_surface() {
         let report =
             format!("case {case}: {ours} against {truth}, {size_mm} mm at {center}, {sheet:?}");
         deviations.push((relative(ours, truth), most_deg, report));
-        without.push(truth);
     }
     for most_deg in [30.0, 60.0] {
         let mut of: Vec<_> = deviations.iter().filter(|d| d.1 == most_deg).collect();

@@ -226,12 +226,15 @@ impl Sides {
         let side = usize::from(rim.place.x < 0.0);
         let share = 1.0 + (self.share[side] - 1.0) * sideways;
         let fade = match end {
-            End::Start => sideways * sideways,
+            End::Start => sideways,
             End::Stop => 1.0,
         };
-        let half_mm2 = groove.measures.area_mm2 * share * fade;
+        let half_mm2 = groove.measures.area_mm2 * share;
         let area_mm2 = 2.0 * half_mm2 * material.pile_up_fraction;
-        Peak::rising(groove.measures.flank_rad[1], material.pile_up, area_mm2)
+        let mut peak = Peak::rising(groove.measures.flank_rad[1], material.pile_up, area_mm2);
+        // Lower, not narrower: sectors of unequal width would look like teeth.
+        peak.height_mm *= fade;
+        peak
     }
 }
 

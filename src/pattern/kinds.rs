@@ -35,6 +35,9 @@ struct Kind {
     hard: [[f64; 2]; 2],
 }
 
+/// Caps are known at forces (or depths) that grow by no less than this: in between they are interpolated within 1 %.
+const CAP_STEP: f64 = 1.25;
+
 /// Of no values at all.
 const NO_SPAN: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
@@ -106,7 +109,7 @@ impl Kind {
     fn admit(&mut self, scratch: &Scratch<'_>, is_closed: bool) -> Result<()> {
         let stated = |key| value(key, self.law);
         for key in scratch.keys {
-            if !(stated(key) <= self.span[1]) {
+            if stated(key) > self.span[1] {
                 self.section(stated(key))
                     .map_err(|error| in_key(error, scratch.keys, key.at))?;
             }
@@ -114,10 +117,10 @@ impl Kind {
         for key in scratch.keys {
             let value = value(key, self.law);
             self.span = [self.span[0].min(value), self.span[1].max(value)];
-            if let Err(place) = self.exact.binary_search_by(|known| known.total_cmp(&value)) {
-                if self.exact.len() < MOST_EXACT {
-                    self.exact.insert(place, value);
-                }
+            if let Err(place) = self.exact.binary_search_by(|known| known.total_cmp(&value))
+                && self.exact.len() < MOST_EXACT
+            {
+                self.exact.insert(place, value);
             }
         }
         for (span, value) in self.hard.iter_mut().zip(hard_ends(scratch, is_closed)) {
@@ -162,7 +165,7 @@ impl Kind {
         track
     }
 
-    /// Caps at those of the track's stations that hard ends lie between.
+    /// Caps at as many of the track's stations as are needed around what hard ends state.
     fn add_caps(&self, track: &mut Track) {
         let at = track.at.clone();
         for (end, [low, high]) in self.hard.into_iter().enumerate() {
@@ -170,15 +173,20 @@ impl Kind {
                 continue;
             }
             let first = at.partition_point(|&at| at <= low).saturating_sub(1);
-            let last = at.partition_point(|&at| at < high);
-            let stations = at.iter().take(last + 1).skip(first);
-            let formed: Vec<_> = stations
-                .filter_map(|&value| {
-                    let process = self.process(value);
-                    let cap = EndCap::form(&self.tool, &process, &self.material, ENDS[end]).ok()?;
-                    Some((value, cap, self.section(value).ok()?))
-                })
-                .collect();
+            let last = at.partition_point(|&at| at < high).min(at.len() - 1);
+            let mut stations: Vec<f64> = Vec::new();
+            for &value in &at[first..=last] {
+                let apart = |&last: &f64| value >= CAP_STEP * last;
+                if value == at[last] || stations.last().is_none_or(apart) {
+                    stations.push(value);
+                }
+            }
+            let form = |value: f64| {
+                let process = self.process(value);
+                let cap = EndCap::form(&self.tool, &process, &self.material, ENDS[end]).ok()?;
+                Some((value, cap, self.section(value).ok()?))
+            };
+            let formed: Vec<_> = stations.into_par_iter().filter_map(form).collect();
             for (value, cap, section) in &formed {
                 track.push_cap(end, *value, cap, section);
             }

@@ -87,9 +87,9 @@ impl Hit<'_> {
 
     /// The part of a region that the run covers between two distances across.
     pub(crate) fn covered(&self, across_mm: [f64; 2], region: Region) -> Option<Region> {
-        let borders = self.borders(across_mm).into_iter();
-        borders.fold(Some(region), |part, [origin, inward]| {
-            part?.clipped(origin, inward)
+        let mut borders = self.borders(across_mm).into_iter();
+        borders.try_fold(region, |part, [origin, inward]| {
+            part.clipped(origin, inward)
         })
     }
 }

@@ -260,7 +260,7 @@ impl Shading {
         let mut hits: ArrayVec<Hit<'_>, MOST_HITS> = ArrayVec::new();
         let mut all = true;
         pattern.for_each_run(candidates, reach, &mut |hit| {
-            all &= hits.try_push(hit).is_ok()
+            all &= hits.try_push(hit).is_ok();
         });
         if !all {
             return false;
