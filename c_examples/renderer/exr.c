@@ -91,3 +91,5 @@ const char *exr_write_layers(const Film *film, const LabelMap *map, const char *
     if (result == EXR_ERR_SUCCESS) result = closed;
     return result == EXR_ERR_SUCCESS ? NULL : exr_get_default_error_message(result);
 }
+
+const char *film_write_exr(const Film *film, const char *path) { return exr_write_layers(film, NULL, path); }

@@ -1,4 +1,4 @@
-/* Pictures: scene-linear in memory, for the screen as PNG. */
+/* Pictures: scene-linear in memory and as EXR, for the screen as PNG. */
 #ifndef RENDERER_FILM_H
 #define RENDERER_FILM_H
 #include <stdbool.h>
@@ -21,7 +21,8 @@ bool film_side_by_side(const Film *films, size_t count, int gutter, Film *sheet)
 /* A screen's three bytes for a radiance: exposure, film's curve, the sRGB curve. */
 void film_tone(const float rgb[3], double exposure, unsigned char bytes[3]);
 
-/* NULL if the file was written, otherwise why not. The second writes bytes as they are: red, green, blue. */
+/* NULL if the file was written, otherwise why not. The last writes bytes as they are: red, green, blue. */
+const char *film_write_exr(const Film *film, const char *path);
 const char *film_write_png(const Film *film, double exposure, const char *path);
 const char *png_write(int width, int height, const unsigned char *bytes, const char *path);
 #endif

@@ -215,7 +215,7 @@ fn sampled(later: &[Hit<'_>], cover: &Region) -> f64 {
         }
         let is_cut = later
             .iter()
-            .any(|run| run.cover.is_some_and(|region| holds(&region, p)));
+            .any(|run| run.cover.as_ref().is_some_and(|region| holds(region, p)));
         inside += 1;
         left += u32::from(!is_cut);
     }
