@@ -20,7 +20,7 @@ help:
 	@echo "make demo ARGS=...  with the renderer's own options: ARGS=--help lists them"
 	@echo "make figures        the paper's Figure 9: sixteen scratches over their cross-sections, into $(OUT)/"
 	@echo "make test           every check: Rust and C"
-	@echo "make bench          what a cross-section costs, in time"
+	@echo "make bench          what cross-sections, a million scratches and the index cost: $(OUT)/bench.json"
 	@echo "make clean          remove $(BUILD)/, $(OUT)/ and target/"
 
 # The demo reads no files: a library without them builds in half the time.

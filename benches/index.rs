@@ -1,8 +1,6 @@
 //! The pattern's two-level grid against a uniform grid of one level and a bounding-volume hierarchy: time of a small
 //! query and bytes per piece, where scratches lie evenly, crowd in a corner, or cross the whole plate.
 
-#![expect(missing_docs, reason = "nothing is public in a bench")]
-
 #[path = "support/figures.rs"]
 mod figures;
 

@@ -1,7 +1,5 @@
 //! What a million scratches cost: time to build, bytes to hold, time to query.
 
-#![expect(missing_docs, reason = "nothing is public in a bench")]
-
 #[path = "support/figures.rs"]
 mod figures;
 

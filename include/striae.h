@@ -1258,6 +1258,37 @@ enum StriaeStatus striae_pattern_builder_load(const char *path,
                                               struct StriaePatternBuilder **builder);
 
 /**
+ * Saves a built pattern to be opened again by striae_pattern_open(), on machines of the same byte order and by the same
+ * version of the library: a cache, no file to keep. The file takes the place of an older one all at once.
+ *
+ * Where it cannot be written the answer is STRIAE_STATUS_FILE.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param pattern the pattern
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ */
+enum StriaeStatus striae_pattern_save(const struct StriaePattern *pattern, const char *path);
+
+/**
+ * Opens a saved pattern where it lies: what it holds is read when it is needed, so that opening takes no time however
+ * large it is. The file must not be written to while it is open; putting another one in its place is fine.
+ *
+ * A file that is missing, no saved pattern, of another version or byte order, cut short or damaged is answered with
+ * STRIAE_STATUS_FILE. With `verify` 0 that is the header and all small arrays; a file whose large arrays are damaged opens,
+ * and is safe to shade, but shows something else than what was saved.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param verify 1: check every byte, which takes as long as reading the file; 0: check what takes no time
+ * @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
+ */
+enum StriaeStatus striae_pattern_open(const char *path,
+                                      uint32_t verify,
+                                      struct StriaePattern **pattern);
+
+/**
  * Fills in a diffuse base BRDF.
  *
  * @param albedo RGB, each 0 to 1

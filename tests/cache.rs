@@ -5,7 +5,7 @@ use rand::{Rng, SeedableRng};
 use std::path::PathBuf;
 use striae::brdf::Metal;
 use striae::files::FileError;
-use striae::formation::{HardnessMap, Layer, Material, Tool};
+use striae::formation::{Layer, Material, Tool};
 use striae::pattern::{
     Amount, Footprint, Generator, Held, Pattern, PatternBuilder, Scratch, Stroke, Style,
     SurfacePoint,
@@ -48,7 +48,7 @@ fn pattern(count: u32) -> Pattern {
     let material = Material {
         layers: vec![Layer {
             thickness_mm: 5e-4,
-            ..Layer::new(Material::metal(Metal::Gold).scratched)
+            scratched: Material::metal(Metal::Gold).scratched,
         }],
         ..Material::metal(Metal::Steel)
     };

@@ -1,12 +1,13 @@
 //! Files for C.
 
-use super::handle::{exclusive, make_shared};
+use super::handle::{borrowed, exclusive, make_shared};
 use super::hardness::StriaeHardnessMap;
-use super::pattern::StriaePatternBuilder;
+use super::pattern::{StriaePattern, StriaePatternBuilder};
 use super::status::{Refusal, StriaeStatus, guard_any};
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
 use crate::files::{FileError, read_hardness, read_pattern, read_tool};
+use crate::pattern::Pattern;
 use core::ffi::{CStr, c_char};
 use std::path::Path;
 
@@ -99,6 +100,59 @@ pub unsafe extern "C" fn striae_pattern_builder_load(
         *out = Box::into_raw(Box::new(StriaePatternBuilder(read_pattern(path)?)));
         Ok::<(), FileError>(())
     })
+}
+
+/// Saves a built pattern to be opened again by striae_pattern_open(), on machines of the same byte order and by the same
+/// version of the library: a cache, no file to keep. The file takes the place of an older one all at once.
+///
+/// Where it cannot be written the answer is STRIAE_STATUS_FILE.
+///
+/// Not in a library that was built without the cargo feature `files` (it is on by default).
+///
+/// @param pattern the pattern
+/// @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_save(
+    pattern: *const StriaePattern,
+    path: *const c_char,
+) -> StriaeStatus {
+    guard_any(|| {
+        // SAFETY: NULL or valid, as the header asks.
+        let (pattern, path) = unsafe { (borrowed("pattern", pattern)?, path_from("path", path)?) };
+        pattern.0.save_cache(path)
+    })
+}
+
+/// Opens a saved pattern where it lies: what it holds is read when it is needed, so that opening takes no time however
+/// large it is. The file must not be written to while it is open; putting another one in its place is fine.
+///
+/// A file that is missing, no saved pattern, of another version or byte order, cut short or damaged is answered with
+/// STRIAE_STATUS_FILE. With `verify` 0 that is the header and all small arrays; a file whose large arrays are damaged opens,
+/// and is safe to shade, but shows something else than what was saved.
+///
+/// Not in a library that was built without the cargo feature `files` (it is on by default).
+///
+/// @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+/// @param verify 1: check every byte, which takes as long as reading the file; 0: check what takes no time
+/// @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_open(
+    path: *const c_char,
+    verify: u32,
+    pattern: *mut *mut StriaePattern,
+) -> StriaeStatus {
+    let make = || {
+        // SAFETY: NULL or NUL-terminated, as the header asks.
+        let path = unsafe { path_from("path", path) }?;
+        match verify {
+            0 => {}
+            1 => Pattern::verify_cache(path)?,
+            other => return Err(Error::number("verify", f64::from(other), "0 or 1").into()),
+        }
+        Pattern::open_cache(path).map(StriaePattern)
+    };
+    // SAFETY: NULL or writable, as the header asks.
+    guard_any(|| unsafe { make_shared::<_, FileError>("pattern", pattern, make) })
 }
 
 /// # Safety

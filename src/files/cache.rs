@@ -129,6 +129,10 @@ fn padding(at: usize) -> usize {
     at.next_multiple_of(ALIGNMENT) - at
 }
 
+fn number(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}
+
 fn header(sections: &[Section<'_>; SECTIONS], facts: &[u8; FACTS]) -> Vec<u8> {
     let mut table = [Entry::default(); SECTIONS];
     let mut at = HEADER;
@@ -141,7 +145,7 @@ fn header(sections: &[Section<'_>; SECTIONS], facts: &[u8; FACTS]) -> Vec<u8> {
         *entry = Entry {
             first: at as u64,
             bytes: bytes as u64,
-            element_bytes: u32::try_from(section.element_bytes).unwrap_or(0),
+            element_bytes: number(section.element_bytes),
             checksum: checksum.finalize(),
         };
         at += bytes;
@@ -151,8 +155,8 @@ fn header(sections: &[Section<'_>; SECTIONS], facts: &[u8; FACTS]) -> Vec<u8> {
         byte_order: BYTE_ORDER,
         version: VERSION,
         file_bytes: (at + padding(at)) as u64,
-        section_count: SECTIONS as u32,
-        facts_bytes: FACTS as u32,
+        section_count: number(SECTIONS),
+        facts_bytes: number(FACTS),
         checksum: 0,
         padding: 0,
     };
