@@ -19,6 +19,7 @@ mod layers;
 mod overlap;
 mod palette;
 mod path;
+#[expect(clippy::module_inception, reason = "what the room is for")]
 mod pattern;
 mod pieces;
 mod point;

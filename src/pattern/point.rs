@@ -167,7 +167,7 @@ impl Metric {
     }
 
     /// A step in mm as one in (u, v).
-    pub(crate) fn to_uv(&self, mm: DVec2) -> DVec2 {
+    pub(crate) fn step_uv(&self, mm: DVec2) -> DVec2 {
         self.from_mm * mm
     }
 

@@ -79,7 +79,7 @@ impl Pattern {
         area_mm2: f64,
     ) {
         // From mm into the pattern's own scale, and back when it is shaded.
-        let travel = reach.metric.to_uv(hit.travel) * self.units_per_uv;
+        let travel = reach.metric.step_uv(hit.travel) * self.units_per_uv;
         let area_mm2 = area_mm2 * travel.length() * self.mm_per_scene_unit;
         let classes = hit.track.classes(hit.place);
         crowd.add(&self.palette, &classes, travel, crate::single(area_mm2));
@@ -172,6 +172,9 @@ impl Pyramid {
     pub(crate) fn new(pattern: &Pattern, cells: &CellPieces) -> Self {
         let raster = pattern.grid.raster;
         let mut pyramid = Self::default();
+        if raster.count() == 0 {
+            return pyramid;
+        }
         let first: Vec<Vec<Packed>> = (0..raster.count())
             .into_par_iter()
             .map(|cell| {

@@ -260,7 +260,10 @@ impl Shading {
         let mut hits: ArrayVec<Hit<'_>, MOST_HITS> = ArrayVec::new();
         let mut all = true;
         pattern.for_each_run(candidates, reach, &mut |hit| {
-            all &= hits.try_push(hit).is_ok();
+            // What only shades the pixel must not crowd out what it holds.
+            if hit.cover.is_some() || hits.len() < MOST_HITS / 2 {
+                all &= hits.try_push(hit).is_ok();
+            }
         });
         if !all {
             return false;
