@@ -216,9 +216,9 @@ impl Grid {
     /// Whether its numbers fit together, which a damaged file's may not.
     #[cfg(feature = "files")]
     pub(super) fn is_sound(&self) -> bool {
-        let is_empty = self.raster == Raster::default();
-        (is_empty || self.raster.is_sound() && !self.starts.is_empty())
+        self.raster.is_sound()
             && self.cells.len() == self.raster.count()
+            && (self.cells.is_empty() || !self.starts.is_empty())
     }
 }
 
@@ -314,11 +314,13 @@ impl Raster {
     #[cfg(feature = "files")]
     pub(super) fn is_sound(&self) -> bool {
         let is_plain = |v: DVec2| v.is_finite() && v.cmpgt(DVec2::ZERO).all();
-        self.origin.is_finite()
-            && is_plain(self.per_unit)
-            && is_plain(1.0 / self.per_unit)
-            && (1..=4096).contains(&self.columns)
-            && (1..=4096).contains(&self.rows)
+        // Of no scratches it is nothing.
+        *self == Self::default()
+            || self.origin.is_finite()
+                && is_plain(self.per_unit)
+                && is_plain(1.0 / self.per_unit)
+                && (1..=4096).contains(&self.columns)
+                && (1..=4096).contains(&self.rows)
     }
 
     /// How many cells it has.
