@@ -1,6 +1,11 @@
 //! The pattern's two-level grid against a uniform grid of one level and a bounding-volume hierarchy: time of a small
 //! query and bytes per piece, where scratches lie evenly, crowd in a corner, or cross the whole plate.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    reason = "numbers of cells and pieces, far below 2^32"
+)]
+
 #[path = "support/figures.rs"]
 mod figures;
 

@@ -136,10 +136,10 @@ fn hits(pattern: &Pattern, radius_mm: f64, points: u32) -> f64 {
     for number in 0..points {
         let point = SurfacePoint {
             uv: place(number).map(|share| 0.25 + 0.5 * share),
-            dp_du: [SIDE_MM as f32, 0.0, 0.0],
-            dp_dv: [0.0, SIDE_MM as f32, 0.0],
+            dp_du: [single(SIDE_MM), 0.0, 0.0],
+            dp_dv: [0.0, single(SIDE_MM), 0.0],
             normal: [0.0, 0.0, 1.0],
-            footprint: Footprint::Radius(radius_mm as f32),
+            footprint: Footprint::Radius(single(radius_mm)),
         };
         shading
             .shade(pattern, &point, [0.2, 0.1, 0.9])
@@ -182,4 +182,12 @@ fn cache(million: &Pattern, note: &mut impl FnMut(&str, f64)) {
     note("cache_verify_ms", begun.elapsed().as_secs_f64() * 1e3);
     note("query_1m_opened_us", query(&opened).us);
     std::fs::remove_file(&path).expect("was written");
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rounding to single is what it is for"
+)]
+fn single(value: f64) -> f32 {
+    value as f32
 }

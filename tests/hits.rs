@@ -29,7 +29,7 @@ const LEANING: Orientation = Orientation {
 };
 
 fn hits(pattern: &Pattern, point: &SurfacePoint) -> Vec<ScratchHit> {
-    let mut hits = [NONE; 400];
+    let mut hits = vec![NONE; 400];
     let found = pattern.hits(point, &mut hits).unwrap();
     assert!(found.complete, "too many to tell apart at {point:?}");
     assert_eq!(found.written, found.count, "room for all");

@@ -85,7 +85,7 @@ fn polished() -> Material {
 
 const NEAR: DVec2 = DVec2::new(0.5213, 0.4891);
 
-/// Every pixel of 0.02 to 150 mm is within 3 % of the mean of parts so small that each scratch in them is shaded
+/// Every pixel of 0.02 to 40 mm is within 3 % of the mean of parts so small that each scratch in them is shaded
 /// by itself.
 #[test]
 fn near_the_truth() {
@@ -98,13 +98,20 @@ fn near_the_truth() {
         for way in [Way::Any, Way::Brushed, Way::Rings] {
             let pattern = scratched(&material, &Tool::rockwell_c(), way);
             let mut worst = 0.0_f64;
-            for size_mm in [0.02, 2.0, 4.0, 8.0, 12.0, 20.0, 40.0] {
+            for (size_mm, parts) in [
+                (0.02, 3),
+                (2.0, 4),
+                (4.0, 7),
+                (8.0, 14),
+                (12.0, 20),
+                (20.0, 34),
+                (40.0, 67),
+            ] {
                 let (dx, dy) = edges(size_mm);
                 let mut line = format!("{name}, {way:?}, {size_mm} mm:");
                 for sheet in sheets() {
                     let whole = sheet.pixel(&pattern, NEAR, dx, dy);
-                    let parts = (size_mm / 0.6).ceil().max(3.0);
-                    let parts = sheet.mean_of_parts(&pattern, NEAR, dx, dy, parts as u32);
+                    let parts = sheet.mean_of_parts(&pattern, NEAR, dx, dy, parts);
                     let off = relative(whole, parts);
                     line += &format!(" {off:.1e}");
                     worst = worst.max(off);

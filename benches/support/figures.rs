@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 use std::path::PathBuf;
 
 /// Prints each figure, and writes them to `out/bench.json` beside what other benches wrote there.
-pub fn write(figures: &[(String, f64)]) {
+pub(crate) fn write(figures: &[(String, f64)]) {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("out/bench.json");
     let known = std::fs::read(&path)
         .ok()
