@@ -1268,7 +1268,8 @@ enum StriaeStatus striae_pattern_builder_load(const char *path,
  * @param pattern the pattern
  * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
  */
-enum StriaeStatus striae_pattern_save(const struct StriaePattern *pattern, const char *path);
+enum StriaeStatus striae_pattern_save(const struct StriaePattern *pattern,
+                                      const char *path);
 
 /**
  * Opens a saved pattern where it lies: what it holds is read when it is needed, so that opening takes no time however

@@ -44,13 +44,20 @@ pub(crate) fn uncut<const MOST_PARTS: usize>(
     Some(left)
 }
 
-/// About the share of run `i` that is left, for one among many: as if those that cut it did so independently
+/// Among so few runs what is left of each is measured.
+const FEW: usize = 32;
+
+/// The share of run `i` that is left; among many runs about: as if those that cut it did so independently
 /// of one another.
 pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
     let run = &hits[i];
     let Some(own) = run.cover else { return 0.0 };
     let [low, high] = own.bounds();
     let (ends, area) = (run.ends_mm, own.area());
+    let parts = (hits.len() <= FEW).then(|| uncut::<8>(hits, i, own, area));
+    if let Some(parts) = parts.flatten() {
+        return parts.iter().map(Region::area).sum::<f64>() / area;
+    }
     let mut left = 1.0;
     for later in &hits[i + 1..] {
         let Some(cover) = later.cover else { continue };

@@ -24,7 +24,7 @@ const ROUNDING: f32 = 1e-6;
 const MOST_PARTS: usize = 8;
 
 /// Runs of scratch that are looked at one by one: more than are held, for later ones cut earlier ones away.
-const MOST_HITS: usize = 64;
+const MOST_HITS: usize = 128;
 
 /// A run that is larger by this share than the first one of the crowd stands alone; in between it does in part.
 const FADE: f64 = 0.3;
