@@ -4,9 +4,10 @@
 //! than an empty plain (as the two-level grids of Kalojanov et al. 2011 for ray tracing).
 
 use super::pieces::{Curves, bounds, sagitta};
+use super::raster::{Raster, cell_number};
 use super::store::Store;
 use bytemuck::{Pod, Zeroable};
-use core::ops::{ControlFlow, RangeInclusive};
+use core::ops::ControlFlow;
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -30,17 +31,6 @@ pub(crate) struct Grid {
     /// Where each part's list starts in `entries`; one more than there are parts.
     pub(super) starts: Store<u32>,
     pub(super) entries: Store<u32>,
-}
-
-/// A rectangle in equal cells.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub(crate) struct Raster {
-    origin: DVec2,
-    /// Cells per unit of u and v.
-    per_unit: DVec2,
-    pub columns: u32,
-    pub rows: u32,
 }
 
 /// A cell's parts: `side` by `side`, their lists beginning at number `first` of `starts`.
@@ -68,7 +58,7 @@ impl Grid {
         let mut per_cell = PER_CELL;
         loop {
             let raster = Raster::over(low, size, count as f64 / per_cell);
-            let pairs = raster.pairs(curves);
+            let pairs = pairs(raster, curves);
             let crowded = mean_in_cell(&pairs) > CROWDED * PER_CELL;
             if crowded && per_cell > 4.0 && raster.columns.max(raster.rows) < 4096 {
                 per_cell *= 0.25;
@@ -259,6 +249,26 @@ impl CellPieces {
     }
 }
 
+/// Cell and piece numbers of all pieces, cell by cell.
+fn pairs(raster: Raster, curves: Curves<'_>) -> Vec<u64> {
+    let numbers = 0..number(curves.pieces.len());
+    let mut pairs: Vec<u64> = numbers
+        .into_par_iter()
+        .fold(Vec::new, |mut pairs, piece| {
+            let control = curves.control(piece as usize);
+            raster.for_each_cell(&control, |cell| {
+                pairs.push(u64::from(cell) << 32 | u64::from(piece));
+            });
+            pairs
+        })
+        .reduce(Vec::new, |mut a, mut b| {
+            a.append(&mut b);
+            a
+        });
+    pairs.par_sort_unstable();
+    pairs
+}
+
 /// How many pieces share a cell with an average piece.
 fn mean_in_cell(pairs: &[u64]) -> f64 {
     let runs = pairs.chunk_by(|a, b| a >> 32 == b >> 32);
@@ -295,187 +305,6 @@ impl Parts {
     }
 }
 
-impl Raster {
-    /// About `count` square cells over a rectangle.
-    fn over(origin: DVec2, size: DVec2, count: f64) -> Self {
-        let per_side = (count / (size.x * size.y)).sqrt();
-        let cells = (size * per_side)
-            .ceil()
-            .clamp(DVec2::ONE, DVec2::splat(4096.0));
-        Self {
-            origin,
-            per_unit: cells / size,
-            columns: cell_number(cells.x),
-            rows: cell_number(cells.y),
-        }
-    }
-
-    /// Whether it is one that [`Self::over`] or [`Self::coarser`] could have made.
-    #[cfg(feature = "files")]
-    pub(super) fn is_sound(&self) -> bool {
-        let is_plain = |v: DVec2| v.is_finite() && v.cmpgt(DVec2::ZERO).all();
-        // Of no scratches it is nothing.
-        *self == Self::default()
-            || self.origin.is_finite()
-                && is_plain(self.per_unit)
-                && is_plain(1.0 / self.per_unit)
-                && (1..=4096).contains(&self.columns)
-                && (1..=4096).contains(&self.rows)
-    }
-
-    /// How many cells it has.
-    pub(crate) fn count(&self) -> usize {
-        self.columns as usize * self.rows as usize
-    }
-
-    /// Half as many cells per side.
-    pub(crate) fn coarser(&self) -> Self {
-        Self {
-            per_unit: 0.5 * self.per_unit,
-            columns: self.columns.div_ceil(2),
-            rows: self.rows.div_ceil(2),
-            ..*self
-        }
-    }
-
-    /// The cells that one of `coarser` holds.
-    pub(crate) fn children(&self, coarser: Self, cell: usize) -> impl Iterator<Item = usize> {
-        let (columns, rows) = (self.columns as usize, self.rows as usize);
-        let (column, row) = (
-            cell % coarser.columns as usize,
-            cell / coarser.columns as usize,
-        );
-        (2 * row..(2 * row + 2).min(rows)).flat_map(move |row| {
-            (2 * column..(2 * column + 2).min(columns)).map(move |column| row * columns + column)
-        })
-    }
-
-    /// Its lowest and highest (u, v).
-    pub(crate) fn bounds(&self) -> [DVec2; 2] {
-        let size = DVec2::new(self.columns.into(), self.rows.into()) / self.per_unit;
-        [self.origin, self.origin + size]
-    }
-
-    /// How many cells a box touches.
-    pub(crate) fn count_touched(&self, low: DVec2, high: DVec2) -> u32 {
-        let length = |range: &RangeInclusive<u32>| range.end() - range.start() + 1;
-        self.touched(low, high).map_or(0, |(columns, rows)| {
-            length(&columns).saturating_mul(length(&rows))
-        })
-    }
-
-    /// One of its cells.
-    pub(crate) fn cell(&self, number: usize) -> Self {
-        let (column, row) = (
-            number % self.columns as usize,
-            number / self.columns as usize,
-        );
-        Self {
-            origin: self.origin + DVec2::new(column as f64, row as f64) / self.per_unit,
-            columns: 1,
-            rows: 1,
-            ..*self
-        }
-    }
-
-    /// Each cell divided `side` by `side`.
-    fn parted(&self, side: u32) -> Self {
-        Self {
-            per_unit: self.per_unit * f64::from(side),
-            columns: self.columns * side,
-            rows: self.rows * side,
-            ..*self
-        }
-    }
-
-    /// Cell and piece numbers of all pieces, cell by cell.
-    fn pairs(&self, curves: Curves<'_>) -> Vec<u64> {
-        let numbers = 0..number(curves.pieces.len());
-        let mut pairs: Vec<u64> = numbers
-            .into_par_iter()
-            .fold(Vec::new, |mut pairs, piece| {
-                let control = curves.control(piece as usize);
-                self.for_each_cell(&control, |cell| {
-                    pairs.push(u64::from(cell) << 32 | u64::from(piece));
-                });
-                pairs
-            })
-            .reduce(Vec::new, |mut a, mut b| {
-                a.append(&mut b);
-                a
-            });
-        pairs.par_sort_unstable();
-        pairs
-    }
-
-    /// Calls `visit` with the number of each cell that a curve may cross.
-    fn for_each_cell(&self, control: &[DVec2; 4], mut visit: impl FnMut(u32)) {
-        let [low, high] = bounds(control);
-        let Some((columns, rows)) = self.touched(low, high) else {
-            return;
-        };
-        if rows.start() == rows.end() || columns.start() == columns.end() {
-            for row in rows {
-                columns
-                    .clone()
-                    .for_each(|column| visit(row * self.columns + column));
-            }
-            return;
-        }
-        let sagitta = sagitta(control);
-        for row in rows {
-            for column in self.columns_of(control, [low, high], sagitta, row) {
-                visit(row * self.columns + column);
-            }
-        }
-    }
-
-    /// The columns a curve crosses in one row: where its chord, widened by its sagitta, crosses the row.
-    fn columns_of(
-        &self,
-        control: &[DVec2; 4],
-        [low, high]: [DVec2; 2],
-        sagitta: f64,
-        row: u32,
-    ) -> RangeInclusive<u32> {
-        let (start, chord) = (control[0], control[3] - control[0]);
-        let bottom = self.origin.y + f64::from(row) / self.per_unit.y - sagitta;
-        let top = self.origin.y + f64::from(row + 1) / self.per_unit.y + sagitta;
-        let (mut from, mut to) = (low.x, high.x);
-        if chord.y.abs() > 1e-12 * chord.x.abs() {
-            let at = |v: f64| ((v - start.y) / chord.y).clamp(0.0, 1.0);
-            let us = [bottom, top].map(|v| start.x + chord.x * at(v));
-            // A hair of slack: rounding must not lose a cell.
-            let slack = sagitta + 1e-9 / self.per_unit.x;
-            from = from.max(us[0].min(us[1]) - slack);
-            to = to.min(us[0].max(us[1]) + slack);
-        }
-        self.cells(from, to, 0)
-    }
-
-    /// Columns and rows that a box touches, if any.
-    pub(crate) fn touched(
-        &self,
-        low: DVec2,
-        high: DVec2,
-    ) -> Option<(RangeInclusive<u32>, RangeInclusive<u32>)> {
-        let end = self.origin + DVec2::new(self.columns.into(), self.rows.into()) / self.per_unit;
-        // A hair of slack again; false for NaN and for a grid of nothing.
-        let slack = 1e-9 / self.per_unit;
-        let touches = low.cmple(end + slack).all() && high.cmpge(self.origin - slack).all();
-        (touches && self.columns > 0)
-            .then(|| (self.cells(low.x, high.x, 0), self.cells(low.y, high.y, 1)))
-    }
-
-    /// The cells from `low` to `high` along an axis (0 = columns), clamped to the grid.
-    fn cells(&self, low: f64, high: f64, axis: usize) -> RangeInclusive<u32> {
-        let count = [self.columns, self.rows][axis];
-        let cell =
-            |at: f64| cell_number((at - self.origin[axis]) * self.per_unit[axis]).min(count - 1);
-        cell(low)..=cell(high)
-    }
-}
-
 fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }
@@ -483,15 +312,6 @@ fn number(count: usize) -> u32 {
 #[expect(clippy::cast_possible_truncation, reason = "the lower half is meant")]
 fn low_half(pair: u64) -> u32 {
     pair as u32
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "the cast saturates: below the grid is cell 0"
-)]
-fn cell_number(at: f64) -> u32 {
-    at as u32
 }
 
 #[cfg(test)]

@@ -25,6 +25,7 @@ mod pieces;
 mod point;
 mod prefilter;
 mod query;
+mod raster;
 mod region;
 mod scratch;
 #[cfg(feature = "files")]

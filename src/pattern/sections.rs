@@ -2,9 +2,10 @@
 
 use super::Pattern;
 use super::caps::Caps;
-use super::grid::{Grid, Raster};
+use super::grid::Grid;
 use super::palette::Palette;
 use super::prefilter::Pyramid;
+use super::raster::Raster;
 use super::store::Store;
 use super::tracks::{Extent, Tracks};
 use crate::brdf::Finish;
