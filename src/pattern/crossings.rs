@@ -1,6 +1,6 @@
 //! Where scratches cross, the later one cuts the earlier: its groove and peaks replace what was there.
 
-use super::query::Hit;
+use super::hit::Hit;
 use super::region::Region;
 use arrayvec::ArrayVec;
 

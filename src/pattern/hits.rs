@@ -4,14 +4,14 @@
 use super::Pattern;
 use super::closest::{length_share, nearest};
 use super::crossings::uncut;
+use super::hit::Hit;
 use super::point::{Frame, Metric, SurfacePoint};
-use super::query::{Candidates, Hit, Reach, misses};
+use super::query::{Candidates, Reach};
 use super::region::Region;
 use super::track::MOST_VERTICES;
 use crate::error::Result;
 use crate::single;
 use arrayvec::ArrayVec;
-use core::ops::ControlFlow;
 use glam::DVec2;
 
 /// Runs of scratch that are cut against one another; among more, each counts with the share that later
@@ -23,11 +23,6 @@ const MOST_PARTS: usize = 32;
 
 /// Points per side of a run's box for what many crossings leave of it.
 const SAMPLES: u32 = 32;
-
-/// Cells of the grid that a footprint may touch, and pieces listed in them (most more than once), for all to be
-/// looked at.
-const MOST_CELLS: u32 = 4096;
-const MOST_LISTED: u32 = 1 << 16;
 
 /// One scratch in a footprint. Coverage is that of the whole footprint; all else is told of the scratch's place that
 /// is nearest to the footprint's centre.
@@ -84,8 +79,7 @@ impl Pattern {
             reach_mm: self.extent.half_width_mm.into(),
         };
         let mut candidates = Candidates::new();
-        let complete = self.candidates(&reach, &mut candidates)
-            || self.all_candidates(&reach, &mut candidates);
+        let complete = self.candidates(&reach, &mut candidates);
         let mut listing = Listing {
             pattern: self,
             reach: &reach,
@@ -102,36 +96,6 @@ impl Pattern {
         }
         listing.close();
         Ok(listing.found)
-    }
-
-    /// As [`Self::candidates`], more patiently: a piece that many cells list counts once.
-    fn all_candidates(&self, reach: &Reach<'_>, found: &mut Candidates) -> bool {
-        let [low, high] = reach.box_uv();
-        found.clear();
-        if self.grid.raster.count_touched(low, high) > MOST_CELLS {
-            return false;
-        }
-        let mut listed = 0;
-        let flow = self.grid.query(low, high, |number| {
-            listed += 1;
-            let is_known = found.last() == Some(&number);
-            if is_known || misses(&self.curves().control(number as usize), low, high) {
-                return ControlFlow::Continue(());
-            }
-            let mut has_room = listed <= MOST_LISTED;
-            if found.is_full() {
-                each_once(found);
-                // Where that makes hardly any room, it would have to be made again at once.
-                has_room &= found.remaining_capacity() > found.capacity() / 8;
-            }
-            if !has_room {
-                return ControlFlow::Break(());
-            }
-            found.push(number);
-            ControlFlow::Continue(())
-        });
-        each_once(found);
-        flow.is_continue()
     }
 
     /// The place nearest to the footprint's centre on the way along a scratch, from `at` (a share of its arc
@@ -188,12 +152,6 @@ impl Pattern {
         // A difference with zero, for zero has a sign.
         [0.0 - height_at(xs, zs, single(offset_mm)), 0.0 - lowest]
     }
-}
-
-fn each_once(found: &mut Candidates) {
-    found.sort_unstable();
-    let mut last = None;
-    found.retain(|number| last.replace(*number) != Some(*number));
 }
 
 /// What later runs leave of an area, by points: where they cut it into too many parts.

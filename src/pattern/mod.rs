@@ -13,6 +13,7 @@ mod crossings;
 mod crowd;
 mod generator;
 mod grid;
+mod hit;
 mod hits;
 mod kinds;
 mod layers;
@@ -27,6 +28,7 @@ mod prefilter;
 mod query;
 mod raster;
 mod region;
+mod runs;
 mod scratch;
 #[cfg(feature = "files")]
 mod sections;
@@ -42,6 +44,7 @@ pub(crate) use crowd::Crowd;
 #[cfg(feature = "svg")]
 pub(crate) use generator::tapered;
 pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes, Style};
+pub(crate) use hit::Hit;
 pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
 pub(crate) use palette::{MOST_CLASS_VERTICES, Palette};
@@ -49,7 +52,7 @@ pub use path::{Curve, Path};
 pub use pattern::{Pattern, PatternMemory};
 pub(crate) use point::Metric;
 pub use point::{Footprint, Frame, SurfacePoint};
-pub(crate) use query::{Candidates, Hit, Reach};
+pub(crate) use query::{Candidates, Reach};
 pub(crate) use region::{MOST_CORNERS, Region};
 pub use scratch::{Held, Key, Scratch};
 #[cfg(feature = "files")]

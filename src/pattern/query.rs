@@ -1,14 +1,9 @@
-//! Which scratches a pixel sees, and how each runs through its footprint.
+//! Which pieces of scratches come near a pixel's footprint.
 
 use super::Pattern;
-use super::caps::CapAt;
-use super::closest::{length_share, nearest, tangent};
-use super::course::Course;
-use super::pieces::{Curves, bounds, halves};
+use super::pieces::bounds;
 use super::point::Metric;
 use super::region::Region;
-use super::tracks::{Section, TrackRef};
-use crate::formation::End;
 use arrayvec::ArrayVec;
 use core::ops::ControlFlow;
 use glam::DVec2;
@@ -19,80 +14,8 @@ const MOST_CANDIDATES: usize = 2048;
 /// Cells of the grid that a footprint may touch for its pieces to be looked for at all.
 const MOST_CELLS: u32 = 256;
 
-/// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
-/// this share of its half width or height.
-const MOST_CHANGE: f64 = 0.14;
-
-/// A piece is cut into at most 2 to the power of this many runs.
-const MOST_HALVINGS: u32 = 12;
-
 /// Pieces near a footprint, in the order in which they were scratched.
 pub(crate) type Candidates = ArrayVec<u32, MOST_CANDIDATES>;
-
-/// One scratch's way through a footprint: a run of it, or a sector of the cap at its hard end, which is a run
-/// across the sector's axis. Lengths in mm, in the local frame around the footprint's centre.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Hit<'p> {
-    pub track: TrackRef<'p>,
-    /// Where on the track its cross-section is, or the one that the cap closes.
-    pub place: f64,
-    pub section: Section<'p>,
-    /// Where what it covers begins and ends, mm across from the centre line.
-    pub ends_mm: [f64; 2],
-    pub scratch: u32,
-    /// Share of the scratch's arc length at `origin`.
-    pub at: f64,
-    /// A point of the scratch's centre line.
-    pub origin: DVec2,
-    /// The centre line's unit direction of travel there.
-    pub travel: DVec2,
-    /// Point and unit direction, forwards, of the lines across which this run begins and ends.
-    pub parting: [[DVec2; 2]; 2],
-    /// The part of the footprint beside this run of the scratch, and what of that it covers.
-    pub region: Region,
-    pub cover: Option<Region>,
-    /// The share of its piece that later scratches leave.
-    pub visible: f32,
-}
-
-impl Hit<'_> {
-    /// To the right of travel.
-    pub(crate) fn across(&self) -> DVec2 {
-        DVec2::new(self.travel.y, -self.travel.x)
-    }
-
-    /// Vertices of its cross-section, once it is cut into layers.
-    pub(crate) fn most_vertices(&self) -> usize {
-        self.section.vertex_count() + 2 * self.track.layers.len()
-    }
-
-    /// Point and inward direction of the four lines that bound what the run covers between two distances across.
-    pub(crate) fn borders(&self, [from, to]: [f64; 2]) -> [[DVec2; 2]; 4] {
-        let across = self.across();
-        let [[start, forwards], [end, onwards]] = self.parting;
-        [
-            [self.origin + across * from, across],
-            [self.origin + across * to, -across],
-            [start, forwards],
-            [end, -onwards],
-        ]
-    }
-
-    /// Whether one of two runs goes on where the other ends.
-    pub(crate) fn adjoins(&self, other: &Self) -> bool {
-        let [[start, _], [end, _]] = self.parting;
-        let [[other_start, _], [other_end, _]] = other.parting;
-        self.scratch == other.scratch && (start == other_end || end == other_start)
-    }
-
-    /// The part of a region that the run covers between two distances across.
-    pub(crate) fn covered(&self, across_mm: [f64; 2], region: Region) -> Option<Region> {
-        let mut borders = self.borders(across_mm).into_iter();
-        borders.try_fold(region, |part, [origin, inward]| {
-            part.clipped(origin, inward)
-        })
-    }
-}
 
 /// A footprint and how far around it scratches matter.
 #[derive(Clone, Copy, Debug)]
@@ -130,7 +53,7 @@ fn sort_out(found: &mut Candidates) {
 }
 
 /// Whether a curve lies beside a box: for long oblique pieces their own box says little.
-pub(super) fn misses(control: &[DVec2; 4], low: DVec2, high: DVec2) -> bool {
+fn misses(control: &[DVec2; 4], low: DVec2, high: DVec2) -> bool {
     let [from, to] = bounds(control);
     if !(from.cmple(high).all() && to.cmpge(low).all()) {
         return true;
@@ -144,7 +67,7 @@ pub(super) fn misses(control: &[DVec2; 4], low: DVec2, high: DVec2) -> bool {
     at < bend_a.min(bend_b).min(0.0) - reach || at > bend_a.max(bend_b).max(0.0) + reach
 }
 
-fn hull(points: impl Iterator<Item = DVec2>) -> [DVec2; 2] {
+pub(super) fn hull(points: impl Iterator<Item = DVec2>) -> [DVec2; 2] {
     let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
     points.fold(empty, |[low, high], p| [low.min(p), high.max(p)])
 }
@@ -170,7 +93,8 @@ impl Pattern {
             }
             if found.is_full() {
                 sort_out(found);
-                if found.len() > MOST_CANDIDATES / 2 {
+                // Where that makes hardly any room, it would have to be made again at once.
+                if found.remaining_capacity() < MOST_CANDIDATES / 8 {
                     return ControlFlow::Break(());
                 }
             }
@@ -180,344 +104,4 @@ impl Pattern {
         sort_out(found);
         flow.is_continue()
     }
-
-    /// The cap at one end of a piece, if the path begins or ends there, and hard.
-    pub(super) fn cap_at(&self, number: usize, end: End) -> Option<CapAt<'_>> {
-        let pieces = self.curves().pieces;
-        let scratch = pieces.get(number)?.scratch;
-        let [first, last] = self.pieces_of(scratch);
-        let (outermost, share) = match end {
-            End::Start => (first, 0.0),
-            End::Stop => (last, 1.0),
-        };
-        if number != outermost || pieces.get(first)?.is_joined() {
-            return None;
-        }
-        let (track, course) = self.strand(scratch)?;
-        let caps = track.caps[usize::from(end == End::Stop)]?;
-        Some(CapAt {
-            caps,
-            at: share,
-            place: course.value(share),
-        })
-    }
-
-    /// Calls `visit` with each run of scratch, and each sector of its caps, that comes within reach of the footprint.
-    pub(crate) fn for_each_run<'p>(
-        &'p self,
-        candidates: &Candidates,
-        reach: &Reach<'_>,
-        visit: &mut impl FnMut(Hit<'p>),
-    ) {
-        let mm = DVec2::splat(reach.reach_mm);
-        let [low, high] = hull(reach.footprint.corners().iter().copied());
-        let mut walk = Walk {
-            pattern: self,
-            curves: self.curves(),
-            reach,
-            near: [low - mm, high + mm],
-            visit,
-        };
-        let mut pending: Option<Run<'p>> = None;
-        for &number in candidates {
-            let Some(part) = walk.part(number as usize) else {
-                continue;
-            };
-            let longer = pending.as_ref().and_then(|run| walk.joined(run, &part));
-            pending = match longer {
-                Some(run) => Some(run),
-                None => {
-                    pending.iter().for_each(|run| walk.emit(run));
-                    // After what was scratched before this one.
-                    walk.emit_cap(&part, End::Start);
-                    if walk.is_one_run(&part) {
-                        Some(Run::of(&part))
-                    } else {
-                        walk.divide(&part, MOST_HALVINGS);
-                        None
-                    }
-                }
-            };
-            walk.emit_cap(&part, End::Stop);
-        }
-        pending.iter().for_each(|run| walk.emit(run));
-    }
-}
-
-/// A piece, or part of one, in mm.
-#[derive(Clone, Copy)]
-struct Part<'p> {
-    number: usize,
-    scratch: u32,
-    track: TrackRef<'p>,
-    course: Course<'p>,
-    control: [DVec2; 4],
-    /// Shares of the path's arc length at its ends.
-    at: [f64; 2],
-    /// Unit tangents across which it is parted from its neighbours: its own at a smooth joint, the mean
-    /// of both at a corner.
-    parting: [DVec2; 2],
-}
-
-/// Neighbouring parts that run nearly straight: one frame, one cross-section.
-struct Run<'p> {
-    first: Part<'p>,
-    last: Part<'p>,
-}
-
-impl<'p> Run<'p> {
-    fn of(part: &Part<'p>) -> Self {
-        Self {
-            first: *part,
-            last: *part,
-        }
-    }
-}
-
-impl Part<'_> {
-    fn chord(&self) -> DVec2 {
-        self.control[3] - self.control[0]
-    }
-
-    fn change(&self, from: f64) -> f64 {
-        self.course.change(&self.track, from, self.at[1])
-    }
-}
-
-/// Cuts pieces into runs, and gives each to `visit`.
-struct Walk<'a, 'p, V> {
-    pattern: &'p Pattern,
-    curves: Curves<'p>,
-    reach: &'a Reach<'a>,
-    /// The footprint's box and what is within reach of it, mm.
-    near: [DVec2; 2],
-    visit: &'a mut V,
-}
-
-impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
-    fn part(&self, number: usize) -> Option<Part<'p>> {
-        let piece = self.curves.pieces.get(number)?;
-        let (track, course) = self.pattern.strand(piece.scratch)?;
-        let control = self.control(number);
-        let [first, last] = self.pattern.pieces_of(piece.scratch);
-        let before = if number == first {
-            last
-        } else {
-            number.wrapping_sub(1)
-        };
-        let next = if number == last { first } else { number + 1 };
-        let follows = |number: usize| {
-            self.curves
-                .pieces
-                .get(number)
-                .is_some_and(|p| p.is_joined())
-        };
-        let mut parting = [tangent(&control, 0.0), tangent(&control, 1.0)];
-        if follows(number) {
-            parting[0] =
-                halving(tangent(&self.control(before), 1.0), parting[0]).unwrap_or(parting[0]);
-        }
-        if follows(next) {
-            parting[1] =
-                halving(parting[1], tangent(&self.control(next), 0.0)).unwrap_or(parting[1]);
-        }
-        Some(Part {
-            number,
-            scratch: piece.scratch,
-            track,
-            course,
-            control,
-            at: self.curves.at(number),
-            parting,
-        })
-    }
-
-    fn control(&self, number: usize) -> [DVec2; 4] {
-        self.curves.control(number).map(|uv| self.reach.place(uv))
-    }
-
-    fn is_straight(&self, a: DVec2, b: DVec2) -> bool {
-        a.dot(b) >= self.pattern.run_cos * (a.length_squared() * b.length_squared()).sqrt()
-    }
-
-    /// Whether a part turns and changes so little that it has one frame and one cross-section.
-    fn is_one_run(&self, part: &Part<'p>) -> bool {
-        let [a, b, c, d] = part.control;
-        self.is_straight(b - a, d - a)
-            && self.is_straight(d - a, d - c)
-            && self.is_straight(b - a, d - c)
-            && part.change(part.at[0]) <= MOST_CHANGE
-    }
-
-    /// The run with a piece more, if it goes on nearly straight.
-    fn joined(&self, run: &Run<'p>, part: &Part<'p>) -> Option<Run<'p>> {
-        let (first, last) = (&run.first, &run.last);
-        let joins = part.number == last.number + 1
-            && part.scratch == first.scratch
-            && self.curves.pieces[part.number].is_joined()
-            && self.is_one_run(part)
-            && self.is_straight(first.chord(), part.chord())
-            && self.is_straight(first.parting[0], part.parting[1])
-            && part.change(first.at[0]) <= MOST_CHANGE;
-        joins.then_some(Run {
-            first: *first,
-            last: *part,
-        })
-    }
-
-    /// Halves a part until its parts are runs; those out of reach are left out.
-    fn divide(&mut self, part: &Part<'p>, halvings: u32) {
-        let [from, to] = bounds(&part.control);
-        if !(from.cmple(self.near[1]).all() && to.cmpge(self.near[0]).all()) {
-            return;
-        }
-        if halvings == 0 || self.is_one_run(part) {
-            return self.emit(&Run::of(part));
-        }
-        let [first, second] = halves(part.control);
-        let [from, to] = part.at;
-        let middle = from + (to - from) * length_share(&part.control, 0.5);
-        let parting = tangent(&first, 1.0);
-        let part_of = |control, at, parting| Part {
-            control,
-            at,
-            parting,
-            ..*part
-        };
-        self.divide(
-            &part_of(first, [from, middle], [part.parting[0], parting]),
-            halvings - 1,
-        );
-        self.divide(
-            &part_of(second, [middle, to], [parting, part.parting[1]]),
-            halvings - 1,
-        );
-    }
-
-    fn emit(&mut self, run: &Run<'p>) {
-        if let Some(hit) = self.hit(run) {
-            (self.visit)(hit);
-        }
-    }
-
-    fn hit(&self, run: &Run<'p>) -> Option<Hit<'p>> {
-        let Run { first, last } = run;
-        let region = self
-            .reach
-            .footprint
-            .clipped(first.control[0], first.parting[0])?
-            .clipped(last.control[3], -last.parting[1])?;
-        // The cross-section is taken in the middle of what is covered of the scratch, not of the footprint.
-        let near = self.nearest_on(run, region.centroid());
-        let across = DVec2::new(near.travel.y, -near.travel.x);
-        let side = across * f64::from(first.track.extent.half_width_mm);
-        let covered = region
-            .clipped(near.origin - side, across)
-            .and_then(|half| half.clipped(near.origin + side, -across));
-        let Near {
-            at, origin, travel, ..
-        } = match covered {
-            Some(covered) => self.nearest_on(run, covered.centroid()),
-            None => near,
-        };
-        let place = first.course.value(at);
-        let section = first.track.section(place);
-        let mut hit = Hit {
-            track: first.track,
-            place,
-            section,
-            ends_mm: section.ends().map(f64::from),
-            scratch: first.scratch,
-            at,
-            origin,
-            travel,
-            parting: [
-                [first.control[0], first.parting[0]],
-                [last.control[3], last.parting[1]],
-            ],
-            region,
-            cover: None,
-            visible: self.pattern.visible_share(first.number),
-        };
-        hit.cover = hit.covered(hit.ends_mm, region);
-        Some(hit)
-    }
-
-    /// The sectors of the cap at an end of a part, if that is a hard end of its scratch within reach.
-    fn emit_cap(&mut self, part: &Part<'p>, end: End) {
-        let Some(cap) = self.pattern.cap_at(part.number, end) else {
-            return;
-        };
-        let (point, travel, outward) = match end {
-            End::Start => (part.control[0], part.parting[0], -part.parting[0]),
-            End::Stop => (part.control[3], part.parting[1], part.parting[1]),
-        };
-        let [low, high] = self.near;
-        if !(point.cmpge(low).all() && point.cmple(high).all()) {
-            return;
-        }
-        let Some(beyond) = self.reach.footprint.clipped(point, outward) else {
-            return;
-        };
-        let visible = self.pattern.visible_share(part.number);
-        for sector in cap.sectors() {
-            let [from, to, axis] = sector.wedge.directions(travel);
-            let origin = point + sector.offset_mm * DVec2::new(travel.y, -travel.x);
-            let parting = [[origin, from.perp()], [origin, to.perp()]];
-            let region = beyond
-                .clipped(origin, from.perp())
-                .and_then(|part| part.clipped(origin, -to.perp()));
-            let Some(region) = region else { continue };
-            let mut hit = Hit {
-                track: part.track,
-                place: cap.place,
-                section: sector.section,
-                ends_mm: [0.0, sector.outer_mm()],
-                scratch: part.scratch,
-                at: cap.at,
-                origin,
-                travel: axis.perp(),
-                parting,
-                region,
-                cover: None,
-                visible,
-            };
-            hit.cover = hit.covered(hit.ends_mm, region);
-            (self.visit)(hit);
-        }
-    }
-
-    fn nearest_on(&self, run: &Run<'p>, target: DVec2) -> Near {
-        let on = |control: &[DVec2; 4], [from, to]: [f64; 2]| {
-            let (t, origin, travel) = nearest(control, target);
-            Near {
-                distance: origin.distance_squared(target),
-                at: from + (to - from) * length_share(control, t),
-                origin,
-                travel,
-            }
-        };
-        let mut best = on(&run.first.control, run.first.at);
-        for number in run.first.number + 1..=run.last.number {
-            let other = on(&self.control(number), self.curves.at(number));
-            if other.distance < best.distance {
-                best = other;
-            }
-        }
-        best
-    }
-}
-
-/// The place of a run that is nearest to some point.
-struct Near {
-    distance: f64,
-    at: f64,
-    origin: DVec2,
-    travel: DVec2,
-}
-
-/// Where two pieces meet at an angle, both end at the line that halves it. A path that turns back on itself has
-/// no such line: its pieces end square.
-fn halving(a: DVec2, b: DVec2) -> Option<DVec2> {
-    (a.dot(b) > -0.99).then(|| (a + b).normalize_or(a))
 }

@@ -1,0 +1,70 @@
+//! One scratch's way through a pixel's footprint.
+
+use super::region::Region;
+use super::tracks::{Section, TrackRef};
+use glam::DVec2;
+
+/// One scratch's way through a footprint: a run of it, or a sector of the cap at its hard end, which is a run
+/// across the sector's axis. Lengths in mm, in the local frame around the footprint's centre.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hit<'p> {
+    pub track: TrackRef<'p>,
+    /// Where on the track its cross-section is, or the one that the cap closes.
+    pub place: f64,
+    pub section: Section<'p>,
+    /// Where what it covers begins and ends, mm across from the centre line.
+    pub ends_mm: [f64; 2],
+    pub scratch: u32,
+    /// Share of the scratch's arc length at `origin`.
+    pub at: f64,
+    /// A point of the scratch's centre line.
+    pub origin: DVec2,
+    /// The centre line's unit direction of travel there.
+    pub travel: DVec2,
+    /// Point and unit direction, forwards, of the lines across which this run begins and ends.
+    pub parting: [[DVec2; 2]; 2],
+    /// The part of the footprint beside this run of the scratch, and what of that it covers.
+    pub region: Region,
+    pub cover: Option<Region>,
+    /// The share of its piece that later scratches leave.
+    pub visible: f32,
+}
+
+impl Hit<'_> {
+    /// To the right of travel.
+    pub(crate) fn across(&self) -> DVec2 {
+        DVec2::new(self.travel.y, -self.travel.x)
+    }
+
+    /// Vertices of its cross-section, once it is cut into layers.
+    pub(crate) fn most_vertices(&self) -> usize {
+        self.section.vertex_count() + 2 * self.track.layers.len()
+    }
+
+    /// Point and inward direction of the four lines that bound what the run covers between two distances across.
+    pub(crate) fn borders(&self, [from, to]: [f64; 2]) -> [[DVec2; 2]; 4] {
+        let across = self.across();
+        let [[start, forwards], [end, onwards]] = self.parting;
+        [
+            [self.origin + across * from, across],
+            [self.origin + across * to, -across],
+            [start, forwards],
+            [end, -onwards],
+        ]
+    }
+
+    /// Whether one of two runs goes on where the other ends.
+    pub(crate) fn adjoins(&self, other: &Self) -> bool {
+        let [[start, _], [end, _]] = self.parting;
+        let [[other_start, _], [other_end, _]] = other.parting;
+        self.scratch == other.scratch && (start == other_end || end == other_start)
+    }
+
+    /// The part of a region that the run covers between two distances across.
+    pub(crate) fn covered(&self, across_mm: [f64; 2], region: Region) -> Option<Region> {
+        let mut borders = self.borders(across_mm).into_iter();
+        borders.try_fold(region, |part, [origin, inward]| {
+            part.clipped(origin, inward)
+        })
+    }
+}
