@@ -1036,7 +1036,8 @@ typedef struct StriaeShading {
    */
   float coverage;
   /**
-   * How many runs of scratch the footprint holds.
+   * How many scratches the footprint holds. Where they are too many to be looked at one by one, how many
+   * cross-sections and directions they were summed up by.
    */
   uint32_t scratch_count;
   /**

@@ -64,7 +64,8 @@ pub struct StriaeFrame {
 pub struct StriaeShading {
     /// How much of what the pixel shows belongs to scratches, 0 to 1.
     pub coverage: f32,
-    /// How many runs of scratch the footprint holds.
+    /// How many scratches the footprint holds. Where they are too many to be looked at one by one, how many
+    /// cross-sections and directions they were summed up by.
     pub scratch_count: u32,
     /// The library's own.
     pub opaque: [u64; 1023],

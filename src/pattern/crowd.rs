@@ -22,7 +22,7 @@ pub(crate) struct Crowd {
     /// Per key: area, mm² in the pattern's own scale, and area times the place within the direction's step
     /// (-1/2 to 1/2).
     sums: [[f32; 2]; KEYS],
-    /// How many parts of scratches were added.
+    /// How many scratches these are; of prefiltered cells, how many entries.
     pub count: u32,
 }
 
@@ -58,7 +58,6 @@ impl Crowd {
         area_mm2: f32,
     ) {
         let angle = travel.y.atan2(travel.x).rem_euclid(TAU);
-        self.count += 1;
         for &(class, share) in classes
             .iter()
             .filter(|(class, share)| *share > 0.0 && *class < MOST_CLASSES)

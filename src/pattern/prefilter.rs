@@ -59,12 +59,20 @@ impl Pattern {
         let mut crowd = Crowd::new();
         match candidates {
             Some(candidates) => {
+                let mut last = None;
                 for &number in candidates {
+                    let mut is_held = false;
                     self.for_each_chord(number as usize, |chord| {
                         let ends = chord.ends.map(|uv| reach.place(uv));
                         let share = reach.footprint.share_of_segment(ends);
+                        is_held |= share > 0.0;
                         self.add(&mut crowd, &chord, share);
                     });
+                    let scratch = self.curves().pieces.get(number as usize).map(|p| p.scratch);
+                    if is_held && last != scratch {
+                        crowd.count += 1;
+                        last = scratch;
+                    }
                 }
             }
             None => self.pyramid.add_to(&mut crowd, reach),

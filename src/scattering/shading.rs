@@ -124,6 +124,7 @@ impl Shading {
                 self.clear();
                 let crowd = pattern.crowd(&reach, complete.then_some(&candidates));
                 self.add_crowd(pattern, &crowd, place);
+                self.scratch_count = crowd.count;
             }
             self.share_out();
         }
@@ -188,7 +189,8 @@ impl Shading {
         self.coverage
     }
 
-    /// How many runs of scratch the footprint holds; each sector of a hard end counts as one.
+    /// How many scratches the footprint holds. Where they are too many to be looked at one by one, how many
+    /// cross-sections and directions they were summed up by.
     pub fn scratch_count(&self) -> u32 {
         self.scratch_count
     }
@@ -268,6 +270,12 @@ impl Shading {
         if !all {
             return false;
         }
+        let covering = hits.iter().filter(|hit| hit.cover.is_some());
+        let mut last = None;
+        for scratch in covering.map(|hit| Some(hit.scratch)) {
+            self.scratch_count += u32::from(last != scratch);
+            last = scratch;
+        }
         let mut runs: ArrayVec<(usize, f64), MOST_HITS> = ArrayVec::new();
         runs.extend(
             hits.iter()
@@ -322,11 +330,6 @@ impl Shading {
             *number = self.zones.finish(&finish);
         }
         let number = layer.iter().map(|&layer| numbers[layer as usize]);
-        let more = self
-            .zones
-            .densities
-            .taken(&weight, [xs[0], xs[xs.len() - 1]]);
-        self.scratch_count += u32::from(more > 0.0);
         let (points, across, view) = ((xs, zs), across.as_vec2(), self.view);
         let prepared = self
             .zones
@@ -348,7 +351,6 @@ impl Shading {
     ) -> bool {
         let fits = |coarser: &usize| crowd.flocks(*coarser).count() <= MOST_FLOCKS;
         let coarser = [1, 2, 4, 8, 16].into_iter().find(fits).unwrap_or(32);
-        self.scratch_count += crowd.count;
         let mut class = None;
         for flock in crowd.flocks(coarser) {
             let known = class.filter(|(class, _)| *class == flock.class);
