@@ -6,13 +6,7 @@ static const char *const PATH = "cache-test.striae.cache";
 static Plate plate;
 
 /* Coverage of a pixel in the middle of the plate. */
-static float covered(const StriaePattern *pattern) {
-    const StriaePoint point = plate_point(0.5, 0.5, 1.0);
-    const float view[3] = {0.0f, 0.0f, 1.0f};
-    StriaeShading shading = {.coverage = -1.0f};
-    EXPECT_OK(striae_shade(pattern, &point, view, &shading));
-    return shading.coverage;
-}
+static float covered(const StriaePattern *pattern) { return plate_shading(pattern, 0.5, 0.5).coverage; }
 
 static void opens(void) {
     protects("an opened pattern shades like the one that was saved, which may be gone");

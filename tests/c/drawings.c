@@ -9,35 +9,10 @@ static const char *const TEXT = "<svg xmlns='http://www.w3.org/2000/svg' viewBox
 
 static Plate plate;
 
-static void write_text(const char *text) {
-    FILE *file = fopen(PATH, "w");
-    if (!EXPECT(file != NULL)) exit(expect_summary());
-    fputs(text, file);
-    fclose(file);
-}
-
-static StriaePatternBuilder *new_builder(void) {
-    StriaePatternBuilder *builder = NULL;
-    EXPECT_OK(striae_pattern_builder_new(&plate.titanium, &plate.options, &builder));
-    return builder;
-}
-
-/* Coverage of a pixel of 1 mm in the middle of the plate. */
-static float covered(const StriaePatternBuilder *builder) {
-    const StriaePoint point = plate_point(0.5, 0.5, 1.0);
-    const float view[3] = {0.0f, 0.0f, 1.0f};
-    StriaePattern *pattern = NULL;
-    StriaeShading shading = {.coverage = -1.0f};
-    EXPECT_OK(striae_pattern_builder_build(builder, &pattern));
-    EXPECT_OK(striae_shade(pattern, &point, view, &shading));
-    striae_pattern_release(pattern);
-    return shading.coverage;
-}
-
 static float drawn(const StriaeSvgOptions *options) {
-    StriaePatternBuilder *builder = new_builder();
+    StriaePatternBuilder *builder = plate_builder(&plate);
     EXPECT_OK(striae_pattern_builder_add_svg(builder, PATH, options));
-    const float coverage = covered(builder);
+    const float coverage = plate_built_shading(builder, 0.5, 0.5).coverage;
     striae_pattern_builder_free(builder);
     return coverage;
 }
@@ -70,7 +45,7 @@ static void widths(void) {
 static void arguments(void) {
     protects("absurd arguments are refused by name, and the builder stays empty");
     const StriaeSvgOptions good = {.struct_size = sizeof good, .tool = plate.tool};
-    StriaePatternBuilder *builder = new_builder();
+    StriaePatternBuilder *builder = plate_builder(&plate);
     EXPECT_REFUSED(striae_pattern_builder_add_svg(NULL, PATH, &good), "builder", "NULL");
     EXPECT_REFUSED(striae_pattern_builder_add_svg(builder, NULL, &good), "path", "NULL");
     EXPECT_REFUSED(striae_pattern_builder_add_svg(builder, PATH, NULL), "options", "NULL");
@@ -83,35 +58,35 @@ static void arguments(void) {
     EXPECT_BAD(force_kgf, -2.0, "force_kgf", "-2");
     EXPECT_BAD(taper[0], 1.5, "taper", "1.5");
     EXPECT_BAD(tilt_deg, 88.0, "tilt_deg", "88");
-    EXPECT(covered(builder) == 0.0f);
+    EXPECT(plate_built_shading(builder, 0.5, 0.5).coverage == 0.0f);
     striae_pattern_builder_free(builder);
 }
 
 static void expect_file_refused(const char *path, const char *text) {
     const StriaeSvgOptions options = {.struct_size = sizeof options, .tool = plate.tool};
-    StriaePatternBuilder *builder = new_builder();
+    StriaePatternBuilder *builder = plate_builder(&plate);
     EXPECT(striae_pattern_builder_add_svg(builder, path, &options) == STRIAE_STATUS_FILE);
     if (!EXPECT(strstr(striae_last_error(), text) && strstr(striae_last_error(), "accepted")))
         printf("    the text is \"%s\"\n", striae_last_error());
-    EXPECT(covered(builder) == 0.0f);
+    EXPECT(plate_built_shading(builder, 0.5, 0.5).coverage == 0.0f);
     striae_pattern_builder_free(builder);
 }
 
 static void files(void) {
     protects("files that are no drawing, or draw what no tool can scratch, are told by name and place");
     expect_file_refused("no/such/drawing.svg", "no/such/drawing.svg: is not there");
-    write_text("solid tool\nendsolid tool\n");
+    write_text(PATH, "solid tool\nendsolid tool\n");
     expect_file_refused(PATH, "drawings-test.svg: line 1, column 1: ");
-    write_text("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 60 40'><path d='M 6 20 L 54 20'/></svg>");
+    write_text(PATH, "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 60 40'><path d='M 6 20 L 54 20'/></svg>");
     expect_file_refused(PATH, "drawings-test.svg: holds no stroked path");
-    write_text("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 60 40'>"
+    write_text(PATH, "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 60 40'>"
                "<path id='wide' stroke='red' stroke-width='30' d='M 6 20 L 54 20'/></svg>");
     expect_file_refused(PATH, "drawings-test.svg: paths[0] (\"wide\"): crest_width_mm is 30");
 }
 
 int main(void) {
     plate_init(&plate);
-    write_text(TEXT);
+    write_text(PATH, TEXT);
     widths();
     arguments();
     files();

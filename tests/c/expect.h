@@ -44,6 +44,13 @@ static inline void expect_refused_at(StriaeStatus status, const char *argument, 
     } while (0)
 #define EXPECT_REFUSED(call, argument, value) expect_refused_at((call), argument, value, #call, __FILE__, __LINE__)
 
+static inline void write_text(const char *path, const char *text) {
+    FILE *file = fopen(path, "w");
+    if (!EXPECT(file != NULL)) return;
+    fputs(text, file);
+    fclose(file);
+}
+
 static inline int expect_summary(void) {
     printf("%d expectations, %d failed\n", expect_count, expect_failures);
     return expect_failures == 0 && expect_count > 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -19,29 +19,14 @@ static StriaeGenerator corner(uint32_t style) {
     return generator;
 }
 
-static StriaePatternBuilder *new_builder(void) {
-    StriaePatternBuilder *builder = NULL;
-    EXPECT_OK(striae_pattern_builder_new(&plate.titanium, &plate.options, &builder));
-    return builder;
-}
-
 /* The corner as one pixel sees it. */
-static StriaeShading seen(const StriaePatternBuilder *builder) {
-    const StriaePoint point = plate_point(0.05, 0.05, 1.0);
-    const float view[3] = {0.0f, 0.0f, 1.0f};
-    StriaePattern *pattern = NULL;
-    StriaeShading shading = {.coverage = -1.0f};
-    EXPECT_OK(striae_pattern_builder_build(builder, &pattern));
-    EXPECT_OK(striae_shade(pattern, &point, view, &shading));
-    striae_pattern_release(pattern);
-    return shading;
-}
+static StriaeShading seen(const StriaePatternBuilder *builder) { return plate_built_shading(builder, 0.05, 0.05); }
 
 static void presets(void) {
     protects("every style fills in a generator that scratches the plate");
     for (uint32_t style = STRIAE_STYLE_STRAIGHT; style <= STRIAE_STYLE_HANDLING; style++) {
         StriaeGenerator generator = corner(style);
-        StriaePatternBuilder *builder = new_builder();
+        StriaePatternBuilder *builder = plate_builder(&plate);
         EXPECT(generator.count == 0 && generator.per_cm2 > 1.0);
         EXPECT_OK(striae_pattern_builder_generate(builder, &generator, grain, NULL, 1));
         EXPECT(seen(builder).coverage > 0.0f);
@@ -55,7 +40,7 @@ static void seeds(void) {
     StriaePatternBuilder *builders[3];
     float coverage[4];
     for (int i = 0; i < 3; i++) {
-        builders[i] = new_builder();
+        builders[i] = plate_builder(&plate);
         EXPECT_OK(striae_pattern_builder_generate(builders[i], &generator, grain, NULL, i == 2 ? 8 : 7));
         coverage[i] = seen(builders[i]).coverage;
     }
@@ -77,7 +62,7 @@ static void seeds(void) {
 
 static void refusals(void) {
     protects("absurd generators are refused by the field, and the builder stays empty");
-    StriaePatternBuilder *builder = new_builder();
+    StriaePatternBuilder *builder = plate_builder(&plate);
     StriaeGenerator good = corner(STRIAE_STYLE_HANDLING), small = {.struct_size = 8};
     EXPECT_REFUSED(striae_generator_preset(99, &good), "style", "99");
     EXPECT_REFUSED(striae_generator_preset(0, NULL), "generator", "NULL");
@@ -105,7 +90,7 @@ static void refusals(void) {
 
 static void short_tools(void) {
     protects("a tool too short for some scratch names it, and nothing is added");
-    StriaePatternBuilder *builder = new_builder();
+    StriaePatternBuilder *builder = plate_builder(&plate);
     StriaeGenerator generator = corner(STRIAE_STYLE_STRAIGHT);
     generator.force_kgf.to = 900.0;
     generator.count = 50;

@@ -12,27 +12,14 @@ static const char *const TEXT =
 
 static Plate plate;
 
-static void write_text(const char *text) {
-    FILE *file = fopen(PATH, "w");
-    if (!EXPECT(file != NULL)) exit(expect_summary());
-    fputs(text, file);
-    fclose(file);
-}
-
 /* Coverage of a pixel in the middle of the plate. */
-static float covered(const StriaePattern *pattern) {
-    const StriaePoint point = plate_point(0.5, 0.5, 1.0);
-    const float view[3] = {0.0f, 0.0f, 1.0f};
-    StriaeShading shading = {.coverage = -1.0f};
-    EXPECT_OK(striae_shade(pattern, &point, view, &shading));
-    return shading.coverage;
-}
+static float covered(const StriaePattern *pattern) { return plate_shading(pattern, 0.5, 0.5).coverage; }
 
 static void loads(void) {
     protects("a file's pattern is the one that the same scratches make by hand, and its builder takes more");
     StriaePatternBuilder *builder = NULL;
     StriaePattern *loaded = NULL, *grown = NULL, *made = plate_pattern(&plate);
-    write_text(TEXT);
+    write_text(PATH, TEXT);
     EXPECT_OK(striae_pattern_builder_load(PATH, &builder));
     EXPECT_OK(striae_pattern_builder_build(builder, &loaded));
     EXPECT(covered(loaded) == covered(made) && covered(made) > 0.0f);
@@ -60,14 +47,14 @@ static void refusals(void) {
     EXPECT_REFUSED(striae_pattern_builder_load(NULL, &builder), "path", "NULL");
     EXPECT_REFUSED(striae_pattern_builder_load(PATH, NULL), "builder", "NULL");
     expect_file_refused("no/such/pattern.json", "no/such/pattern.json: is not there");
-    write_text("{ \"striae_pattern\": 2 }");
+    write_text(PATH, "{ \"striae_pattern\": 2 }");
     expect_file_refused(PATH, "striae_pattern: version 2; accepted: 1");
-    write_text("{ \"striae_pattern\": 1,\n \"surface\": 3 }");
+    write_text(PATH, "{ \"striae_pattern\": 1,\n \"surface\": 3 }");
     expect_file_refused(PATH, "line 2, column 13: surface: invalid type");
     char wrong[1024];
     strcpy(wrong, TEXT);
     memcpy(strstr(wrong, "\"force_kgf\": 4.0"), "\"force_kgf\": -40", 16);
-    write_text(wrong);
+    write_text(PATH, wrong);
     expect_file_refused(PATH, "scratches[0]: keys[0].force_kgf is -40");
 }
 

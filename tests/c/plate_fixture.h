@@ -31,10 +31,16 @@ static inline void plate_init(Plate *plate) {
                                      .key_count = 2};
 }
 
-static inline StriaePattern *plate_pattern(const Plate *plate) {
+/* A builder without scratches. */
+static inline StriaePatternBuilder *plate_builder(const Plate *plate) {
     StriaePatternBuilder *builder = NULL;
-    StriaePattern *pattern = NULL;
     EXPECT_OK(striae_pattern_builder_new(&plate->titanium, &plate->options, &builder));
+    return builder;
+}
+
+static inline StriaePattern *plate_pattern(const Plate *plate) {
+    StriaePatternBuilder *builder = plate_builder(plate);
+    StriaePattern *pattern = NULL;
     EXPECT_OK(striae_pattern_builder_add_scratch(builder, &plate->scratch));
     EXPECT_OK(striae_pattern_builder_build(builder, &pattern));
     striae_pattern_builder_free(builder);
@@ -51,5 +57,23 @@ static inline StriaePoint plate_point(double u, double v, double side_mm) {
                          .radius = (float)(0.5 * side_mm),
                          .duv_dx = {(float)(side_mm / 60.0), 0.0f},
                          .duv_dy = {0.0f, (float)(side_mm / 40.0)}};
+}
+
+/* A pixel of 1 mm, seen from above. */
+static inline StriaeShading plate_shading(const StriaePattern *pattern, double u, double v) {
+    const StriaePoint point = plate_point(u, v, 1.0);
+    const float view[3] = {0.0f, 0.0f, 1.0f};
+    StriaeShading shading = {.coverage = -1.0f};
+    EXPECT_OK(striae_shade(pattern, &point, view, &shading));
+    return shading;
+}
+
+/* The same pixel of what a builder holds so far. */
+static inline StriaeShading plate_built_shading(const StriaePatternBuilder *builder, double u, double v) {
+    StriaePattern *pattern = NULL;
+    EXPECT_OK(striae_pattern_builder_build(builder, &pattern));
+    const StriaeShading shading = plate_shading(pattern, u, v);
+    striae_pattern_release(pattern);
+    return shading;
 }
 #endif
