@@ -64,7 +64,7 @@ fn crossing() {
     assert_adds_up("three", 0.01, &lines, STEADY, &near);
 }
 
-/// Scratches that end: hard, and running out (within the taper, where there is a scratch to see): within 1 %.
+/// Scratches that end: hard, and running out: within 1 %.
 #[test]
 fn ending() {
     let line = [[-50.0, 0.0], [30.0, 2.0]];
@@ -75,6 +75,5 @@ fn ending() {
         Key::force(0.4, 2.0),
         Key::force(1.0, 0.0),
     ];
-    let near = [[22.0, 1.8], [-35.0, 0.375], [-20.0, 0.75]];
     assert_adds_up("soft", 0.01, &[Line::Straight(&line)], &soft, &near);
 }

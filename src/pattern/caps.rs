@@ -4,8 +4,8 @@
 //! cross-section: ahead of the fan's centre its own half, behind it the scratch's other side as a line along the
 //! sector's axis meets it. What lies behind has no weight, but hides and shadows as it does along the scratch.
 
+use super::profile::Profile;
 use super::store::Store;
-use super::tracks::Section;
 use crate::formation::{End, EndCap, SECTORS};
 use crate::single;
 use bytemuck::{Pod, Zeroable};
@@ -76,7 +76,7 @@ pub(crate) struct Wedge {
 pub(crate) struct CapSector<'p> {
     pub wedge: Wedge,
     pub offset_mm: f64,
-    pub section: Section<'p>,
+    pub profile: Profile<'p>,
 }
 
 /// The caps of one end of a track's scratches.
@@ -224,10 +224,12 @@ impl<'p> CapRef<'p> {
         let sector = move |i: usize| CapSector {
             wedge: self.wedges[last * SECTORS + i].mixed(self.wedges[next * SECTORS + i], mix),
             offset_mm: offset_mm.into(),
-            section: Section {
-                shapes: [a, b].map(|station| self.points(station, i)),
+            profile: Profile::between(
+                self.points_from(a, i),
+                SECTORS * self.per_sector,
+                self.per_sector,
                 mix,
-            },
+            ),
         };
         // Soft ends of a kind whose others are hard ask for less than any station.
         let count = if place < at(0) * (1.0 - 1e-6) {
@@ -240,18 +242,17 @@ impl<'p> CapRef<'p> {
             .filter(|sector| sector.wedge.width_rad() > NARROWEST_RAD && sector.outer_mm() > 0.0)
     }
 
-    fn points(&self, station: Station, sector: usize) -> &'p [Vec2] {
+    /// From a sector's points on; those at the next station follow after all sectors of this one.
+    fn points_from(&self, station: Station, sector: usize) -> &'p [Vec2] {
         let first = station.first_vertex as usize + sector * self.per_sector;
-        self.vertices
-            .get(first..first + self.per_sector)
-            .unwrap_or(&[])
+        self.vertices.get(first..).unwrap_or(&[])
     }
 }
 
 impl CapSector<'_> {
     /// Where the sector's peak meets the surface, mm along the axis from the fan's centre.
     pub(crate) fn outer_mm(&self) -> f64 {
-        self.section.ends()[1].into()
+        self.profile.ends()[1].into()
     }
 
     /// What it covers, mm².

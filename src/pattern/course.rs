@@ -84,22 +84,34 @@ impl Course<'_> {
         share * f64::from(self.scale)
     }
 
+    /// Where its value changes direction between two shares of arc length: spans of places and values.
+    pub(crate) fn turns(&self, from: f64, to: f64) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        let scale = f64::from(self.scale);
+        let knots = self.knots.iter().map(|knot| knot.map(f64::from));
+        let inner = knots.filter(move |knot| knot[0] > from && knot[0] < to);
+        let ends = [[from, self.value(from)], [to, self.value(to)]];
+        let mut last = ends[0];
+        inner
+            .map(move |[at, share]| [at, share * scale])
+            .chain([ends[1]])
+            .map(move |next| [core::mem::replace(&mut last, next), next])
+    }
+
+    /// Its lowest and highest value between two shares of arc length.
+    pub(crate) fn extremes(&self, from: f64, to: f64) -> [f64; 2] {
+        let ends = self.turns(from, to);
+        ends.fold(
+            [f64::INFINITY, f64::NEG_INFINITY],
+            |[low, high], [[_, a], [_, b]]| [low.min(a).min(b), high.max(a).max(b)],
+        )
+    }
+
     /// How much the cross-section changes from one share of arc length to another, all to and fro counted.
     pub(crate) fn change(&self, track: &TrackRef<'_>, from: f64, to: f64) -> f64 {
         if self.knots.len() < 2 {
             return 0.0;
         }
-        let knots = self.knots.iter().map(|knot| knot.map(f64::from));
-        let inner = knots.filter(|knot| knot[0] > from && knot[0] < to);
-        let (mut last, mut sum) = (track.change(self.value(from)), 0.0);
-        for value in inner
-            .map(|knot| knot[1] * f64::from(self.scale))
-            .chain([self.value(to)])
-        {
-            let next = track.change(value);
-            sum += (next - last).abs();
-            last = next;
-        }
-        sum
+        let change = |[[_, a], [_, b]]: [[f64; 2]; 2]| (track.change(b) - track.change(a)).abs();
+        self.turns(from, to).map(change).sum()
     }
 }

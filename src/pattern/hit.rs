@@ -1,7 +1,8 @@
 //! One scratch's way through a pixel's footprint.
 
+use super::profile::Profile;
 use super::region::Region;
-use super::tracks::{Section, TrackRef};
+use super::tracks::TrackRef;
 use glam::DVec2;
 
 /// One scratch's way through a footprint: a run of it, or a sector of the cap at its hard end, which is a run
@@ -11,7 +12,7 @@ pub(crate) struct Hit<'p> {
     pub track: TrackRef<'p>,
     /// Where on the track its cross-section is, or the one that the cap closes.
     pub place: f64,
-    pub section: Section<'p>,
+    pub profile: Profile<'p>,
     /// Where what it covers begins and ends, mm across from the centre line.
     pub ends_mm: [f64; 2],
     pub scratch: u32,
@@ -38,7 +39,7 @@ impl Hit<'_> {
 
     /// Vertices of its cross-section, once it is cut into layers.
     pub(crate) fn most_vertices(&self) -> usize {
-        self.section.vertex_count() + 2 * self.track.layers.len()
+        self.profile.vertex_count + 2 * self.track.layers.len()
     }
 
     /// Point and inward direction of the four lines that bound what the run covers between two distances across.

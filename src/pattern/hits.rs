@@ -147,7 +147,7 @@ impl Pattern {
         };
         let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
         let (xs, zs) = (&mut xs[..track.vertex_count], &mut zs[..track.vertex_count]);
-        track.section(course.value(at)).sample(xs, zs);
+        track.profile(course.value(at)).sample(xs, zs);
         let lowest = zs.iter().copied().fold(0.0, f32::min);
         // A difference with zero, for zero has a sign.
         [0.0 - height_at(xs, zs, single(offset_mm)), 0.0 - lowest]

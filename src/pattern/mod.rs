@@ -25,6 +25,7 @@ mod pattern;
 mod pieces;
 mod point;
 mod prefilter;
+mod profile;
 mod query;
 mod raster;
 mod region;

@@ -194,7 +194,7 @@ impl Palette {
         let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
         let count = track.vertex_count.min(MOST_VERTICES);
         let (xs, zs) = (&mut xs[..count], &mut zs[..count]);
-        track.section(track.station_at(station)).sample(xs, zs);
+        track.profile(track.station_at(station)).sample(xs, zs);
         let bottoms = track.layers.iter().map(|layer| layer.bottom_mm);
         let layered = Layered::cut(xs, zs, bottoms);
         let (xs, zs, layers) = layered.parts();

@@ -6,6 +6,7 @@ use super::closest::{length_share, nearest, tangent};
 use super::course::Course;
 use super::hit::Hit;
 use super::pieces::{Curves, bounds, halves};
+use super::profile::Profile;
 use super::query::{Candidates, Reach, hull};
 use super::tracks::TrackRef;
 use crate::formation::End;
@@ -16,7 +17,7 @@ use glam::DVec2;
 const MOST_CHANGE: f64 = 0.14;
 
 /// A piece is cut into at most 2 to the power of this many runs.
-const MOST_HALVINGS: u32 = 12;
+const MOST_HALVINGS: u32 = 16;
 
 impl Pattern {
     /// The cap at one end of a piece, if the path begins or ends there, and hard.
@@ -112,9 +113,20 @@ impl<'p> Run<'p> {
     }
 }
 
-impl Part<'_> {
+impl<'p> Part<'p> {
     fn chord(&self) -> DVec2 {
         self.control[3] - self.control[0]
+    }
+
+    /// How far the cross-section at a share of arc length reaches, mm.
+    fn half_width_mm(&self, at: f64) -> f64 {
+        let [left, right] = self.track.ends(self.course.value(at));
+        f64::from(right.max(-left))
+    }
+
+    /// The mean cross-section between two shares of arc length.
+    fn profile(&self, at: [f64; 2]) -> Profile<'p> {
+        Profile::mean(&self.track, &self.course, at)
     }
 
     fn change(&self, from: f64) -> f64 {
@@ -248,7 +260,10 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
         // The cross-section is taken in the middle of what is covered of the scratch, not of the footprint.
         let near = self.nearest_on(run, region.centroid());
         let across = DVec2::new(near.travel.y, -near.travel.x);
-        let side = across * f64::from(first.track.extent.half_width_mm);
+        let side = across
+            * first
+                .half_width_mm(first.at[0])
+                .max(last.half_width_mm(last.at[1]));
         let covered = region
             .clipped(near.origin - side, across)
             .and_then(|half| half.clipped(near.origin + side, -across));
@@ -258,13 +273,23 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             Some(covered) => self.nearest_on(run, covered.centroid()),
             None => near,
         };
+        // Its mean over all of the scratch that the footprint covers: where a scratch sets in, the middle tells little.
+        let per_mm = (last.at[1] - first.at[0]) / (last.control[3] - first.control[0]).length();
+        let corners = covered.iter().flat_map(|covered| covered.corners());
+        let reaches = corners.map(|corner| at + (*corner - origin).dot(travel) * per_mm);
+        let [from, to] = reaches.fold([at; 2], |[from, to], reach| {
+            [
+                from.min(reach.max(first.at[0])),
+                to.max(reach.min(last.at[1])),
+            ]
+        });
         let place = first.course.value(at);
-        let section = first.track.section(place);
+        let profile = first.profile([from, to]);
         let mut hit = Hit {
             track: first.track,
             place,
-            section,
-            ends_mm: section.ends().map(f64::from),
+            profile,
+            ends_mm: profile.ends().map(f64::from),
             scratch: first.scratch,
             at,
             origin,
@@ -309,7 +334,7 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             let mut hit = Hit {
                 track: part.track,
                 place: cap.place,
-                section: sector.section,
+                profile: sector.profile,
                 ends_mm: [0.0, sector.outer_mm()],
                 scratch: part.scratch,
                 at: cap.at,

@@ -2,6 +2,7 @@
 
 use super::caps::{CapRange, CapRef, Caps, vertices_per_sector};
 use super::palette::Blend;
+use super::profile::Profile;
 use super::store::Store;
 use super::track::{MOST_VERTICES, Track};
 use crate::brdf::Finish;
@@ -77,15 +78,6 @@ pub(crate) struct TrackRef<'p> {
     /// At hard ends: where it starts, and where it stops.
     pub caps: [Option<CapRef<'p>>; 2],
     pub bulk: Finish,
-    pub extent: Extent,
-}
-
-/// One cross-section of a track: the mean of two shapes, vertex by vertex.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Section<'p> {
-    pub shapes: [&'p [Vec2]; 2],
-    /// The second one's share.
-    pub mix: f32,
 }
 
 impl Tracks {
@@ -133,7 +125,7 @@ impl Tracks {
         let record = self.records.get(number as usize)?;
         // A damaged file may claim anything.
         let is_sound = record.station_count > 0
-            && (2..=MOST_VERTICES).contains(&(record.vertex_count as usize))
+            && (6..=MOST_VERTICES).contains(&(record.vertex_count as usize))
             && record.layer_count as usize <= MOST_LAYERS;
         if !is_sound {
             return None;
@@ -154,7 +146,6 @@ impl Tracks {
                 .caps
                 .map(|caps| self.caps.get(caps, vertices_per_sector(per_station - 5))),
             bulk: record.bulk,
-            extent: record.extent,
         })
     }
 
@@ -265,18 +256,26 @@ impl<'p> TrackRef<'p> {
     }
 
     /// The cross-section at a place.
-    pub(crate) fn section(&self, at: f64) -> Section<'p> {
+    pub(crate) fn profile(&self, at: f64) -> Profile<'p> {
         let (last, mix) = self.locate(at);
-        let next = (last + 1).min(self.stations.len() - 1);
-        Section {
-            shapes: [last, next].map(|station| self.shape(station)),
+        Profile::between(
+            self.shapes_from(last),
+            self.vertex_count,
+            self.vertex_count,
             mix,
-        }
+        )
+    }
+
+    /// Shapes from a station on, one after the other.
+    pub(super) fn shapes_from(&self, station: usize) -> &'p [Vec2] {
+        self.vertices
+            .get(station * self.vertex_count..)
+            .unwrap_or(&[])
     }
 
     /// Where the cross-section begins and ends at a place, mm across from the centre line.
     pub(crate) fn ends(&self, at: f64) -> [f32; 2] {
-        self.section(at).ends()
+        self.profile(at).ends()
     }
 
     /// How much the cross-section has changed from the first station to a place.
@@ -285,34 +284,5 @@ impl<'p> TrackRef<'p> {
         let next = (last + 1).min(self.stations.len() - 1);
         let (a, b) = (self.stations[last].change, self.stations[next].change);
         f64::from(a) + f64::from(b - a) * f64::from(mix)
-    }
-
-    fn shape(&self, station: usize) -> &'p [Vec2] {
-        &self.vertices[station * self.vertex_count..(station + 1) * self.vertex_count]
-    }
-}
-
-impl Section<'_> {
-    pub(crate) fn vertex_count(&self) -> usize {
-        self.shapes[0].len()
-    }
-
-    /// Its vertices, as x and z written to the two slices.
-    pub(crate) fn sample(&self, xs: &mut [f32], zs: &mut [f32]) {
-        let pairs = self.shapes[0].iter().zip(self.shapes[1]);
-        for ((a, b), (x, z)) in pairs.zip(xs.iter_mut().zip(zs.iter_mut())) {
-            let point = a.lerp(*b, self.mix);
-            (*x, *z) = (point.x, point.y);
-        }
-    }
-
-    /// Where it begins and ends, mm.
-    pub(crate) fn ends(&self) -> [f32; 2] {
-        let [a, b] = self.shapes;
-        let end = |i: usize| a[i].lerp(b[i], self.mix).x;
-        match self.vertex_count() {
-            0 => [0.0; 2],
-            count => [end(0), end(count - 1)],
-        }
     }
 }

@@ -315,9 +315,9 @@ impl Shading {
         }
         let across = hit.across();
         let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
-        let vertices = hit.section.vertex_count();
+        let vertices = hit.profile.vertex_count;
         let (xs, zs) = (&mut xs[..vertices], &mut zs[..vertices]);
-        hit.section.sample(xs, zs);
+        hit.profile.sample(xs, zs);
         let layers = hit.track.layers.iter();
         let layered = Layered::cut(xs, zs, layers.map(|layer| layer.bottom_mm));
         let (xs, zs, layer) = layered.parts();

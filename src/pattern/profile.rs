@@ -1,0 +1,132 @@
+//! A cross-section as a footprint sees it: the mean of those at some stations, vertex by vertex.
+
+use super::course::Course;
+use super::tracks::TrackRef;
+use crate::single;
+use glam::Vec2;
+
+/// Stations that a mean is taken over; the farther ones of a longer stretch count with the last of these.
+const MOST_SHAPES: usize = 24;
+
+/// Weighted shapes at equal distances in an array.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Profile<'p> {
+    /// From the first shape's first vertex on.
+    vertices: &'p [Vec2],
+    stride: usize,
+    pub vertex_count: usize,
+    weights: [f32; MOST_SHAPES],
+    shapes: usize,
+}
+
+impl<'p> Profile<'p> {
+    /// The mean of two shapes, `stride` vertices apart; of one, if there is only one. No vertices if the array is
+    /// too short, as a damaged file's may be.
+    pub(crate) fn between(
+        vertices: &'p [Vec2],
+        stride: usize,
+        vertex_count: usize,
+        mix: f32,
+    ) -> Self {
+        let mut weights = [0.0; MOST_SHAPES];
+        [weights[0], weights[1]] = [1.0 - mix, mix];
+        let shapes = if mix > 0.0 { 2 } else { 1 };
+        Self {
+            vertices,
+            stride,
+            vertex_count,
+            weights,
+            shapes,
+        }
+        .checked()
+    }
+
+    /// The mean of a scratch's cross-sections between two shares of its arc length.
+    pub(crate) fn mean(track: &TrackRef<'p>, course: &Course<'_>, [from, to]: [f64; 2]) -> Self {
+        let last = track.station_count() - 1;
+        let values = course.turns(from, to);
+        let [low, high] = course.extremes(from, to);
+        let first = track.locate(low).0;
+        let end = (track.locate(high).0 + 1)
+            .min(last)
+            .min(first + MOST_SHAPES - 1);
+        let mut weights = [0.0; MOST_SHAPES];
+        let mut add = |station: usize, weight: f64| {
+            weights[station.clamp(first, end) - first] += single(weight);
+        };
+        for [[at_a, a], [at_b, b]] in values {
+            // Between two turns the value runs evenly, and each station's share of the way is known.
+            let share = if to > from {
+                (at_b - at_a) / (to - from)
+            } else {
+                1.0
+            };
+            let [low, high] = [a.min(b), a.max(b)];
+            let mut station = track.locate(low).0;
+            let mut at = low;
+            loop {
+                let next = (station + 1).min(last);
+                let (p, q) = (track.station_at(station), track.station_at(next));
+                let stop = if next > station { high.min(q) } else { high };
+                let part = if high > low {
+                    (stop - at) / (high - low)
+                } else {
+                    1.0
+                };
+                let middle = 0.5 * (at + stop);
+                let mix = if q > p {
+                    ((middle - p) / (q - p)).clamp(0.0, 1.0)
+                } else {
+                    0.0
+                };
+                add(station, share * part * (1.0 - mix));
+                add(next, share * part * mix);
+                if stop >= high || next == station {
+                    break;
+                }
+                (station, at) = (next, stop);
+            }
+        }
+        Self {
+            vertices: track.shapes_from(first),
+            stride: track.vertex_count,
+            vertex_count: track.vertex_count,
+            weights,
+            shapes: end - first + 1,
+        }
+        .checked()
+    }
+
+    fn checked(self) -> Self {
+        let needed = (self.shapes - 1) * self.stride + self.vertex_count;
+        if self.vertices.len() >= needed {
+            return self;
+        }
+        Self {
+            vertex_count: 0,
+            ..self
+        }
+    }
+
+    fn vertex(&self, number: usize) -> Vec2 {
+        let weighed =
+            |shape: usize| self.vertices[shape * self.stride + number] * self.weights[shape];
+        (0..self.shapes).map(weighed).sum()
+    }
+
+    /// Its vertices, as x and z written to the two slices.
+    pub(crate) fn sample(&self, xs: &mut [f32], zs: &mut [f32]) {
+        for (number, (x, z)) in xs.iter_mut().zip(zs).enumerate().take(self.vertex_count) {
+            let point = self.vertex(number);
+            (*x, *z) = (point.x, point.y);
+        }
+    }
+
+    /// Where it begins and ends, mm.
+    pub(crate) fn ends(&self) -> [f32; 2] {
+        match self.vertex_count {
+            0 => [0.0; 2],
+            count => [self.vertex(0).x, self.vertex(count - 1).x],
+        }
+    }
+}
