@@ -129,4 +129,10 @@ impl<'p> Profile<'p> {
             count => [self.vertex(0).x, self.vertex(count - 1).x],
         }
     }
+
+    /// How far it reaches from the centre line, mm.
+    pub(crate) fn half_width_mm(&self) -> f64 {
+        let [left, right] = self.ends();
+        f64::from(right.max(-left))
+    }
 }

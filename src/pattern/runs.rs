@@ -8,6 +8,7 @@ use super::hit::Hit;
 use super::pieces::{Curves, bounds, halves};
 use super::profile::Profile;
 use super::query::{Candidates, Reach, hull};
+use super::region::Region;
 use super::tracks::TrackRef;
 use crate::formation::End;
 use glam::DVec2;
@@ -15,6 +16,15 @@ use glam::DVec2;
 /// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
 /// this share of its half width or height.
 const MOST_CHANGE: f64 = 0.14;
+
+/// Where a scratch sets in, one end of a run is at least this share as wide as the other, as long as that one is wider
+/// than this share of the widest.
+const LEAST_WIDENING: f64 = 0.3;
+const LEAST_WIDTH: f64 = 0.02;
+
+/// Where a scratch turns out to be this much narrower than thought, what is covered of it is looked at again.
+const LEAST_NARROWING: f64 = 0.9;
+const MOST_LOOKS: usize = 3;
 
 /// A piece is cut into at most 2 to the power of this many runs.
 const MOST_HALVINGS: u32 = 16;
@@ -113,20 +123,21 @@ impl<'p> Run<'p> {
     }
 }
 
-impl<'p> Part<'p> {
+impl Part<'_> {
     fn chord(&self) -> DVec2 {
         self.control[3] - self.control[0]
     }
 
     /// How far the cross-section at a share of arc length reaches, mm.
     fn half_width_mm(&self, at: f64) -> f64 {
-        let [left, right] = self.track.ends(self.course.value(at));
-        f64::from(right.max(-left))
+        self.track.profile(self.course.value(at)).half_width_mm()
     }
 
-    /// The mean cross-section between two shares of arc length.
-    fn profile(&self, at: [f64; 2]) -> Profile<'p> {
-        Profile::mean(&self.track, &self.course, at)
+    /// Whether the scratch becomes much wider from one end to the other, as it does where it sets in.
+    fn sets_in(&self) -> bool {
+        let [a, b] = self.at.map(|at| self.half_width_mm(at));
+        let worth_it = a.max(b) > LEAST_WIDTH * self.track.half_width_mm;
+        worth_it && a.min(b) < LEAST_WIDENING * a.max(b)
     }
 
     fn change(&self, from: f64) -> f64 {
@@ -197,6 +208,7 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             && self.is_straight(d - a, d - c)
             && self.is_straight(b - a, d - c)
             && part.change(part.at[0]) <= MOST_CHANGE
+            && !part.sets_in()
     }
 
     /// The run with a piece more, if it goes on nearly straight.
@@ -257,34 +269,27 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             .footprint
             .clipped(first.control[0], first.parting[0])?
             .clipped(last.control[3], -last.parting[1])?;
-        // The cross-section is taken in the middle of what is covered of the scratch, not of the footprint.
-        let near = self.nearest_on(run, region.centroid());
-        let across = DVec2::new(near.travel.y, -near.travel.x);
-        let side = across
-            * first
-                .half_width_mm(first.at[0])
-                .max(last.half_width_mm(last.at[1]));
-        let covered = region
-            .clipped(near.origin - side, across)
-            .and_then(|half| half.clipped(near.origin + side, -across));
+        let mut near = self.nearest_on(run, region.centroid());
+        let mut half_width_mm = first
+            .half_width_mm(first.at[0])
+            .max(last.half_width_mm(last.at[1]));
+        let mean = |stretch| Profile::mean(&first.track, &first.course, stretch);
+        let mut profile = mean([near.at; 2]);
+        // How much of the scratch is covered depends on how wide it is there, and that on what is covered.
+        for _ in 0..MOST_LOOKS {
+            let stretch;
+            (near, stretch) = self.stretch(run, &region, &near, half_width_mm);
+            profile = mean(stretch);
+            let narrower = profile.half_width_mm();
+            if narrower > LEAST_NARROWING * half_width_mm {
+                break;
+            }
+            half_width_mm = narrower;
+        }
         let Near {
             at, origin, travel, ..
-        } = match covered {
-            Some(covered) => self.nearest_on(run, covered.centroid()),
-            None => near,
-        };
-        // Its mean over all of the scratch that the footprint covers: where a scratch sets in, the middle tells little.
-        let per_mm = (last.at[1] - first.at[0]) / (last.control[3] - first.control[0]).length();
-        let corners = covered.iter().flat_map(|covered| covered.corners());
-        let reaches = corners.map(|corner| at + (*corner - origin).dot(travel) * per_mm);
-        let [from, to] = reaches.fold([at; 2], |[from, to], reach| {
-            [
-                from.min(reach.max(first.at[0])),
-                to.max(reach.min(last.at[1])),
-            ]
-        });
+        } = near;
         let place = first.course.value(at);
-        let profile = first.profile([from, to]);
         let mut hit = Hit {
             track: first.track,
             place,
@@ -304,6 +309,40 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
         };
         hit.cover = hit.covered(hit.ends_mm, region);
         Some(hit)
+    }
+
+    /// What a region holds of a run so wide: the place in its middle, and from where to where it is, as shares of arc
+    /// length.
+    fn stretch(
+        &self,
+        run: &Run<'p>,
+        region: &Region,
+        near: &Near,
+        half_width_mm: f64,
+    ) -> (Near, [f64; 2]) {
+        let Run { first, last } = run;
+        let across = DVec2::new(near.travel.y, -near.travel.x);
+        let side = across * half_width_mm;
+        let covered = region
+            .clipped(near.origin - side, across)
+            .and_then(|half| half.clipped(near.origin + side, -across));
+        let Some(covered) = covered else {
+            return (*near, [near.at; 2]);
+        };
+        let near = self.nearest_on(run, covered.centroid());
+        let Near {
+            at, origin, travel, ..
+        } = near;
+        let per_mm = (last.at[1] - first.at[0]) / (last.control[3] - first.control[0]).length();
+        let corners = covered.corners().iter();
+        let reaches = corners.map(|corner| at + (*corner - origin).dot(travel) * per_mm);
+        let stretch = reaches.fold([at; 2], |[from, to], reach| {
+            [
+                from.min(reach.max(first.at[0])),
+                to.max(reach.min(last.at[1])),
+            ]
+        });
+        (near, stretch)
     }
 
     /// The sectors of the cap at an end of a part, if that is a hard end of its scratch within reach.
@@ -372,6 +411,7 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
 }
 
 /// The place of a run that is nearest to some point.
+#[derive(Clone, Copy)]
 struct Near {
     distance: f64,
     at: f64,

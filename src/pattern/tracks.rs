@@ -78,6 +78,8 @@ pub(crate) struct TrackRef<'p> {
     /// At hard ends: where it starts, and where it stops.
     pub caps: [Option<CapRef<'p>>; 2],
     pub bulk: Finish,
+    /// Of its widest cross-section.
+    pub half_width_mm: f64,
 }
 
 impl Tracks {
@@ -146,6 +148,7 @@ impl Tracks {
                 .caps
                 .map(|caps| self.caps.get(caps, vertices_per_sector(per_station - 5))),
             bulk: record.bulk,
+            half_width_mm: record.extent.half_width_mm.into(),
         })
     }
 
