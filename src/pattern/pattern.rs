@@ -117,16 +117,19 @@ impl Pattern {
             let Some((track, course)) = self.strand(scratch) else {
                 continue;
             };
-            let places = if course.knots.len() > 1 { PLACES } else { 1 };
-            for i in 0..places {
-                let place = course.value((f64::from(i) + 0.5) / f64::from(places));
-                let [left, right] = track.ends(place);
-                let (station, mix) = track.locate(place);
-                let area = f64::from(strand.length * (right - left)) / f64::from(places);
-                let first = track.first_station + station;
-                areas[first] += area * f64::from(1.0 - mix);
-                if mix > 0.0 {
-                    areas[first + 1] += area * f64::from(mix);
+            for [[from, a], [to, b]] in course.turns(0.0, 1.0) {
+                let places = if a == b { 1 } else { PLACES };
+                for i in 0..places {
+                    let place = a + (b - a) * (f64::from(i) + 0.5) / f64::from(places);
+                    let [left, right] = track.ends(place).map(f64::from);
+                    let (station, mix) = track.locate(place);
+                    let length = f64::from(strand.length) * (to - from) / f64::from(places);
+                    let (area, mix) = (length * (right - left), f64::from(mix));
+                    let first = track.first_station + station;
+                    areas[first] += area * (1.0 - mix);
+                    if mix > 0.0 {
+                        areas[first + 1] += area * mix;
+                    }
                 }
             }
         }
