@@ -2,6 +2,9 @@
 
 use glam::DVec2;
 
+/// A smaller step of the parameter is none.
+const SETTLED: f64 = 1e-12;
+
 /// A cubic Bézier curve at parameter t.
 pub(crate) fn bezier(control: &[DVec2; 4], t: f64) -> DVec2 {
     let [a, b, c, d] = *control;
@@ -20,8 +23,8 @@ fn derivatives(control: &[DVec2; 4], t: f64) -> (DVec2, DVec2) {
 
 /// Parameter, point and unit tangent nearest to `target`.
 ///
-/// Pieces turn by a few degrees only, so Newton's method from the foot on the chord settles within three
-/// steps; the parameter stays in 0 to 1.
+/// Pieces turn little, so Newton's method from the foot on the chord settles within three steps (on a straight line
+/// it is there at once); the parameter stays in 0 to 1.
 pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2) {
     let chord = control[3] - control[0];
     let along = (target - control[0]).dot(chord) / chord.length_squared();
@@ -34,8 +37,14 @@ pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2
         let away = bezier(control, t) - target;
         let (first, second) = derivatives(control, t);
         let slope = first.length_squared() + away.dot(second);
-        if slope > 0.0 {
-            t = (t - away.dot(first) / slope).clamp(0.0, 1.0);
+        let step = if slope > 0.0 {
+            away.dot(first) / slope
+        } else {
+            0.0
+        };
+        t = (t - step).clamp(0.0, 1.0);
+        if step.abs() < SETTLED {
+            break;
         }
     }
     (t, bezier(control, t), tangent(control, t))

@@ -67,6 +67,11 @@ impl Courses {
 }
 
 impl Course<'_> {
+    /// Whether it has one value all along.
+    pub(crate) fn is_constant(&self) -> bool {
+        self.knots.len() < 2
+    }
+
     /// Its value at a share of arc length.
     pub(crate) fn value(&self, at: f64) -> f64 {
         let next = self.knots.partition_point(|knot| f64::from(knot[0]) <= at);
@@ -108,7 +113,7 @@ impl Course<'_> {
 
     /// How much the cross-section changes from one share of arc length to another, all to and fro counted.
     pub(crate) fn change(&self, track: &TrackRef<'_>, from: f64, to: f64) -> f64 {
-        if self.knots.len() < 2 {
+        if self.is_constant() {
             return 0.0;
         }
         let change = |[[_, a], [_, b]]: [[f64; 2]; 2]| (track.change(b) - track.change(a)).abs();

@@ -10,38 +10,51 @@ const LEAST_PART: f64 = 1e-9;
 /// How far beside a scratch's edge cuts still matter, as a share of its width: parallax shows the scratch there.
 const BESIDE: f64 = 1.0;
 
-/// What later scratches leave of a region that belongs to run `i`; `hits` are in the order in which they were
-/// scratched. Nothing if it is too many parts.
-pub(crate) fn uncut<const MOST_PARTS: usize>(
+/// Cuts from the one region in `left`, which belongs to run `i`, what later scratches take of it; `hits` are in the
+/// order in which they were scratched. False if that leaves too many parts.
+pub(crate) fn cut<const MOST_PARTS: usize>(
     hits: &[Hit<'_>],
     i: usize,
-    region: Region,
+    left: &mut ArrayVec<Region, MOST_PARTS>,
     pixel_area: f64,
-) -> Option<ArrayVec<Region, MOST_PARTS>> {
+) -> bool {
     let run = &hits[i];
-    let mut left = ArrayVec::new();
-    left.push(region);
-    for later in &hits[i + 1..] {
-        let [from, to] = later.ends_mm;
-        if to <= from || later.adjoins(run) || !reaches(later, run, pixel_area) {
+    hits[i + 1..].iter().all(|later| {
+        let reaches = !later.adjoins(run) && reaches(later, run, pixel_area);
+        !reaches || cut_by(later, left, pixel_area)
+    })
+}
+
+/// Cuts what one run covers from some parts; false if that leaves too many.
+fn cut_by<const MOST_PARTS: usize>(
+    later: &Hit<'_>,
+    left: &mut ArrayVec<Region, MOST_PARTS>,
+    pixel_area: f64,
+) -> bool {
+    let borders = later.borders(later.ends_mm);
+    let least = LEAST_PART * pixel_area;
+    // From the last one on: what is left of a part is put behind those still to be cut.
+    for part in (0..left.len()).rev() {
+        if !left[part]
+            .within(&borders)
+            .is_some_and(|cut| cut.area() > least)
+        {
             continue;
         }
-        let mut still = ArrayVec::new();
-        for part in &left {
-            let mut rest = Some(*part);
-            for [origin, inward] in later.borders([from, to]) {
-                let Some(whole) = rest else { break };
-                if let Some(outside) = whole.clipped(origin, -inward)
-                    && outside.area() > LEAST_PART * pixel_area
-                {
-                    still.try_push(outside).ok()?;
-                }
-                rest = whole.clipped(origin, inward);
+        let mut rest = left.swap_remove(part);
+        for [origin, inward] in borders {
+            let outside = rest.clipped(origin, -inward);
+            if let Some(outside) = outside.filter(|outside| outside.area() > least)
+                && left.try_push(outside).is_err()
+            {
+                return false;
+            }
+            if !rest.clip(origin, inward) {
+                break;
             }
         }
-        left = still;
     }
-    Some(left)
+    true
 }
 
 /// Among so few runs what is left of each is measured.
@@ -54,8 +67,9 @@ pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
     let Some(own) = run.cover else { return 0.0 };
     let [low, high] = own.bounds();
     let (ends, area) = (run.ends_mm, own.area());
-    let parts = (hits.len() <= FEW).then(|| uncut::<8>(hits, i, own, area));
-    if let Some(parts) = parts.flatten() {
+    let mut parts: ArrayVec<Region, 8> = ArrayVec::new();
+    parts.push(own);
+    if hits.len() <= FEW && cut(hits, i, &mut parts, area) {
         return parts.iter().map(Region::area).sum::<f64>() / area;
     }
     let mut left = 1.0;
@@ -63,7 +77,7 @@ pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
         let Some(cover) = later.cover else { continue };
         let [from, to] = cover.bounds();
         if from.cmple(high).all() && to.cmpge(low).all() && !later.adjoins(run) {
-            let cut = run.covered(ends, cover).map_or(0.0, |cut| cut.area());
+            let cut = run.covered(ends, &cover).map_or(0.0, |cut| cut.area());
             left *= 1.0 - (cut / area).min(1.0);
         }
     }
@@ -74,8 +88,7 @@ pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
 fn reaches(later: &Hit<'_>, run: &Hit<'_>, pixel_area: f64) -> bool {
     let [from, to] = run.ends_mm;
     let beside = BESIDE * (to - from);
-    let cut = later
-        .cover
-        .and_then(|cover| run.covered([from - beside, to + beside], cover));
+    let cover = later.cover.as_ref();
+    let cut = cover.and_then(|cover| run.covered([from - beside, to + beside], cover));
     cut.is_some_and(|cut| cut.area() > LEAST_PART * pixel_area)
 }

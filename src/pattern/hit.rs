@@ -24,8 +24,7 @@ pub(crate) struct Hit<'p> {
     pub travel: DVec2,
     /// Point and unit direction, forwards, of the lines across which this run begins and ends.
     pub parting: [[DVec2; 2]; 2],
-    /// The part of the footprint beside this run of the scratch, and what of that it covers.
-    pub region: Region,
+    /// What it covers of the footprint.
     pub cover: Option<Region>,
     /// The share of its piece that later scratches leave.
     pub visible: f32,
@@ -42,16 +41,26 @@ impl Hit<'_> {
         self.profile.vertex_count + 2 * self.track.layers.len()
     }
 
-    /// Point and inward direction of the four lines that bound what the run covers between two distances across.
-    pub(crate) fn borders(&self, [from, to]: [f64; 2]) -> [[DVec2; 2]; 4] {
+    /// Point and inward direction of two lines along the run, so far across.
+    pub(crate) fn sides(&self, [from, to]: [f64; 2]) -> [[DVec2; 2]; 2] {
         let across = self.across();
-        let [[start, forwards], [end, onwards]] = self.parting;
         [
             [self.origin + across * from, across],
             [self.origin + across * to, -across],
-            [start, forwards],
-            [end, -onwards],
         ]
+    }
+
+    /// The four lines that bound what the run covers between two distances across.
+    pub(crate) fn borders(&self, across_mm: [f64; 2]) -> [[DVec2; 2]; 4] {
+        let [left, right] = self.sides(across_mm);
+        let [[start, forwards], [end, onwards]] = self.parting;
+        [left, right, [start, forwards], [end, -onwards]]
+    }
+
+    /// The part of the footprint beside this run of the scratch.
+    pub(crate) fn beside(&self, footprint: &Region) -> Option<Region> {
+        let [[start, forwards], [end, onwards]] = self.parting;
+        footprint.within(&[[start, forwards], [end, -onwards]])
     }
 
     /// Whether one of two runs goes on where the other ends.
@@ -62,10 +71,7 @@ impl Hit<'_> {
     }
 
     /// The part of a region that the run covers between two distances across.
-    pub(crate) fn covered(&self, across_mm: [f64; 2], region: Region) -> Option<Region> {
-        let mut borders = self.borders(across_mm).into_iter();
-        borders.try_fold(region, |part, [origin, inward]| {
-            part.clipped(origin, inward)
-        })
+    pub(crate) fn covered(&self, across_mm: [f64; 2], region: &Region) -> Option<Region> {
+        region.within(&self.borders(across_mm))
     }
 }

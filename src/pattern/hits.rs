@@ -3,7 +3,7 @@
 
 use super::Pattern;
 use super::closest::{length_share, nearest};
-use super::crossings::uncut;
+use super::crossings::cut;
 use super::hit::Hit;
 use super::point::{Frame, Metric, SurfacePoint};
 use super::query::{Candidates, Reach};
@@ -92,7 +92,7 @@ impl Pattern {
             current: None,
         };
         if !listing.add_cut(&candidates) {
-            self.for_each_run(&candidates, &reach, &mut |run| listing.add_average(&run));
+            self.for_each_run(&candidates, &reach, &mut |run| listing.add_average(run));
         }
         listing.close();
         Ok(listing.found)
@@ -225,17 +225,21 @@ impl Listing<'_> {
         let mut all = true;
         let (pattern, reach) = (self.pattern, self.reach);
         pattern.for_each_run(candidates, reach, &mut |run| {
-            all &= run.cover.is_none() || runs.try_push(run).is_ok();
+            all &= run.cover.is_none() || runs.try_push(*run).is_ok();
         });
         if !all {
             return false;
         }
         for (i, run) in runs.iter().enumerate() {
             let Some(cover) = run.cover else { continue };
-            match uncut::<MOST_PARTS>(&runs, i, cover, self.pixel_area) {
-                Some(parts) => self.add(run, parts.iter().map(Region::area).sum()),
-                None => self.add(run, sampled(&runs[i + 1..], &cover)),
-            }
+            let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
+            parts.push(cover);
+            let area = if cut(&runs, i, &mut parts, self.pixel_area) {
+                parts.iter().map(Region::area).sum()
+            } else {
+                sampled(&runs[i + 1..], &cover)
+            };
+            self.add(run, area);
         }
         true
     }

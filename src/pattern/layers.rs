@@ -32,6 +32,10 @@ impl Layered {
             layer: [0; MOST_CUT],
             count: 0,
         };
+        if interfaces.clone().next().is_none() {
+            xs.iter().zip(zs).for_each(|(&x, &z)| cut.push([x, z], 0));
+            return cut;
+        }
         let layer_at = |z: f32| {
             interfaces
                 .clone()

@@ -58,10 +58,12 @@ impl Frame {
         all_finite("normal", &point.normal)?;
         let accepted = "a vector of any length above 0";
         let z = direction(point.normal).ok_or(Error::number("normal", 0.0, accepted))?;
-        let du = direction(point.dp_du).unwrap_or(DVec3::ZERO);
+        let du = Vec3::from(point.dp_du).as_dvec3();
         let tangent = du - z * z.dot(du);
-        let x = if tangent.length_squared() > 1e-16 {
-            tangent.normalize()
+        let square = tangent.length_squared();
+        // Not a number where dP/du is none.
+        let x = if square > 1e-16 * du.length_squared() && square.is_finite() {
+            tangent / square.sqrt()
         } else {
             z.any_orthonormal_vector()
         };

@@ -43,6 +43,9 @@ impl<'p> Profile<'p> {
 
     /// The mean of a scratch's cross-sections between two shares of its arc length.
     pub(crate) fn mean(track: &TrackRef<'p>, course: &Course<'_>, [from, to]: [f64; 2]) -> Self {
+        if to <= from || course.is_constant() {
+            return track.profile(course.value(from));
+        }
         let last = track.station_count() - 1;
         let values = course.turns(from, to);
         let [low, high] = course.extremes(from, to);
@@ -56,11 +59,7 @@ impl<'p> Profile<'p> {
         };
         for [[at_a, a], [at_b, b]] in values {
             // Between two turns the value runs evenly, and each station's share of the way is known.
-            let share = if to > from {
-                (at_b - at_a) / (to - from)
-            } else {
-                1.0
-            };
+            let share = (at_b - at_a) / (to - from);
             let [low, high] = [a.min(b), a.max(b)];
             let mut station = track.locate(low).0;
             let mut at = low;

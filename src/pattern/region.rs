@@ -88,26 +88,51 @@ impl Region {
         if area > 0.0 { base + sum / area } else { base }
     }
 
-    /// The part where (p - origin) · direction >= 0, or nothing if that is empty (Sutherland and Hodgman 1974).
+    /// Keeps the part where (p - origin) · direction >= 0 (Sutherland and Hodgman 1974); false if that is empty.
+    pub(crate) fn clip(&mut self, origin: DVec2, direction: DVec2) -> bool {
+        let mut sides = [0.0; MOST_CORNERS];
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (side, corner) in sides.iter_mut().zip(self.corners()) {
+            *side = (*corner - origin).dot(direction);
+            // Written so that each is one instruction: this is the most frequent call while shading.
+            least = if *side < least { *side } else { least };
+            most = if *side > most { *side } else { most };
+        }
+        if least >= 0.0 && most.is_finite() {
+            return true;
+        }
+        // Also where a number is none.
+        if !(most > 0.0) {
+            self.count = 0;
+            return false;
+        }
+        let (whole, count) = (self.corners, self.count);
+        self.count = 0;
+        for i in 0..count {
+            let next = if i + 1 == count { 0 } else { i + 1 };
+            if sides[i] >= 0.0 {
+                self.push(whole[i]);
+            }
+            if (sides[i] >= 0.0) != (sides[next] >= 0.0) {
+                self.push(whole[i].lerp(whole[next], sides[i] / (sides[i] - sides[next])));
+            }
+        }
+        self.count >= 3 && self.area() > 0.0
+    }
+
+    /// The part that [`Self::clip`] keeps, or nothing if that is empty.
     pub(crate) fn clipped(&self, origin: DVec2, direction: DVec2) -> Option<Self> {
-        let side = |p: DVec2| (p - origin).dot(direction);
-        if self.corners().iter().all(|&p| side(p) >= 0.0) {
-            return Some(*self);
-        }
-        let mut kept = Self {
-            corners: [DVec2::ZERO; MOST_CORNERS],
-            count: 0,
-        };
-        for (a, b) in self.edges() {
-            let (at_a, at_b) = (side(a), side(b));
-            if at_a >= 0.0 {
-                kept.push(a);
-            }
-            if (at_a >= 0.0) != (at_b >= 0.0) {
-                kept.push(a.lerp(b, at_a / (at_a - at_b)));
-            }
-        }
-        (kept.count >= 3 && kept.area() > 0.0).then_some(kept)
+        let mut part = *self;
+        part.clip(origin, direction).then_some(part)
+    }
+
+    /// The part inside all of these lines, each a point and an inward direction.
+    pub(crate) fn within(&self, lines: &[[DVec2; 2]]) -> Option<Self> {
+        let mut part = *self;
+        let all = lines
+            .iter()
+            .all(|&[origin, inward]| part.clip(origin, inward));
+        all.then_some(part)
     }
 
     /// The share of a segment that lies inside (Cyrus and Beck 1978).
@@ -133,13 +158,11 @@ impl Region {
             return 1.0;
         }
         let middle = 0.5 * (corners[0] + corners[2]);
-        let mut part = Some(*self);
-        for i in 0..4 {
+        let part = self.within(&[0, 1, 2, 3].map(|i| {
             let (a, b) = (corners[i], corners[(i + 1) % 4]);
             let inward = (b - a).perp();
-            let inward = inward * inward.dot(middle - a).signum();
-            part = part.and_then(|part| part.clipped(a, inward));
-        }
+            [a, inward * inward.dot(middle - a).signum()]
+        }));
         let area = (corners[1] - corners[0])
             .perp_dot(corners[3] - corners[0])
             .abs();

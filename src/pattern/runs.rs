@@ -42,8 +42,9 @@ impl Pattern {
         if number != outermost || pieces.get(first)?.is_joined() {
             return None;
         }
-        let (track, course) = self.strand(scratch)?;
-        let caps = track.caps[usize::from(end == End::Stop)]?;
+        let (_, course) = self.strand(scratch)?;
+        let track = self.strands.get(scratch as usize)?.track;
+        let caps = self.tracks.caps(track, usize::from(end == End::Stop))?;
         Some(CapAt {
             caps,
             at: share,
@@ -56,7 +57,7 @@ impl Pattern {
         &'p self,
         candidates: &Candidates,
         reach: &Reach<'_>,
-        visit: &mut impl FnMut(Hit<'p>),
+        visit: &mut impl FnMut(&Hit<'p>),
     ) {
         let mm = DVec2::splat(reach.reach_mm);
         let [low, high] = hull(reach.footprint.corners().iter().copied());
@@ -106,6 +107,8 @@ struct Part<'p> {
     /// Unit tangents across which it is parted from its neighbours: its own at a smooth joint, the mean
     /// of both at a corner.
     parting: [DVec2; 2],
+    /// Whether the path begins or ends at its ends.
+    is_end: [bool; 2],
 }
 
 /// Neighbouring parts that run nearly straight: one frame, one cross-section.
@@ -121,6 +124,14 @@ impl<'p> Run<'p> {
             last: *part,
         }
     }
+
+    /// Whether it is one straight line.
+    fn is_straight(&self) -> bool {
+        let [a, b, c, d] = self.first.control;
+        let chord = d - a;
+        let strays = |p: DVec2| (p - a).perp_dot(chord).abs() > 1e-9 * chord.length_squared();
+        self.first.number == self.last.number && !strays(b) && !strays(c)
+    }
 }
 
 impl Part<'_> {
@@ -135,6 +146,9 @@ impl Part<'_> {
 
     /// Whether the scratch becomes much wider from one end to the other, as it does where it sets in.
     fn sets_in(&self) -> bool {
+        if self.course.is_constant() {
+            return false;
+        }
         let [a, b] = self.at.map(|at| self.half_width_mm(at));
         let worth_it = a.max(b) > LEAST_WIDTH * self.track.half_width_mm;
         worth_it && a.min(b) < LEAST_WIDENING * a.max(b)
@@ -155,7 +169,7 @@ struct Walk<'a, 'p, V> {
     visit: &'a mut V,
 }
 
-impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
+impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
     fn part(&self, number: usize) -> Option<Part<'p>> {
         let piece = self.curves.pieces.get(number)?;
         let (track, course) = self.pattern.strand(piece.scratch)?;
@@ -175,12 +189,12 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
         };
         let mut parting = [tangent(&control, 0.0), tangent(&control, 1.0)];
         if follows(number) {
-            parting[0] =
-                halving(tangent(&self.control(before), 1.0), parting[0]).unwrap_or(parting[0]);
+            let onwards = tangent(&self.control(before), 1.0);
+            parting[0] = halving(onwards, parting[0]).unwrap_or(parting[0]);
         }
         if follows(next) {
-            parting[1] =
-                halving(parting[1], tangent(&self.control(next), 0.0)).unwrap_or(parting[1]);
+            let onwards = tangent(&self.control(next), 0.0);
+            parting[1] = halving(parting[1], onwards).unwrap_or(parting[1]);
         }
         Some(Part {
             number,
@@ -190,6 +204,7 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             control,
             at: self.curves.at(number),
             parting,
+            is_end: [number == first, number == last].map(|outermost| outermost && !follows(first)),
         })
     }
 
@@ -258,57 +273,76 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
 
     fn emit(&mut self, run: &Run<'p>) {
         if let Some(hit) = self.hit(run) {
-            (self.visit)(hit);
+            (self.visit)(&hit);
         }
     }
 
     fn hit(&self, run: &Run<'p>) -> Option<Hit<'p>> {
         let Run { first, last } = run;
+        let parting = [
+            [first.control[0], first.parting[0]],
+            [last.control[3], last.parting[1]],
+        ];
+        let [[start, forwards], [end, onwards]] = parting;
         let region = self
             .reach
             .footprint
-            .clipped(first.control[0], first.parting[0])?
-            .clipped(last.control[3], -last.parting[1])?;
-        let mut near = self.nearest_on(run, region.centroid());
-        let mut half_width_mm = first
-            .half_width_mm(first.at[0])
-            .max(last.half_width_mm(last.at[1]));
-        let mean = |stretch| Profile::mean(&first.track, &first.course, stretch);
-        let mut profile = mean([near.at; 2]);
-        // How much of the scratch is covered depends on how wide it is there, and that on what is covered.
-        for _ in 0..MOST_LOOKS {
-            let stretch;
-            (near, stretch) = self.stretch(run, &region, &near, half_width_mm);
-            profile = mean(stretch);
-            let narrower = profile.half_width_mm();
-            if narrower > LEAST_NARROWING * half_width_mm {
-                break;
-            }
-            half_width_mm = narrower;
-        }
+            .within(&[[start, forwards], [end, -onwards]])?;
+        let near = self.nearest_on(run, region.centroid());
+        let course = &first.course;
+        let profile = first.track.profile(course.value(near.at));
+        let (near, profile) = if course.is_constant() && run.is_straight() {
+            (near, profile)
+        } else {
+            self.look(run, &region, near, profile)
+        };
         let Near {
             at, origin, travel, ..
         } = near;
-        let place = first.course.value(at);
         let mut hit = Hit {
             track: first.track,
-            place,
+            place: course.value(at),
             profile,
             ends_mm: profile.ends().map(f64::from),
             scratch: first.scratch,
             at,
             origin,
             travel,
-            parting: [
-                [first.control[0], first.parting[0]],
-                [last.control[3], last.parting[1]],
-            ],
-            region,
+            parting,
             cover: None,
             visible: self.pattern.visible_share(first.number),
         };
-        hit.cover = hit.covered(hit.ends_mm, region);
+        hit.cover = region.within(&hit.sides(hit.ends_mm));
         Some(hit)
+    }
+
+    /// The place in the middle of what a region holds of a run, and the mean cross-section there. How much of the
+    /// scratch is covered depends on how wide it is there, and that on what is covered.
+    fn look(
+        &self,
+        run: &Run<'p>,
+        region: &Region,
+        mut near: Near,
+        mut profile: Profile<'p>,
+    ) -> (Near, Profile<'p>) {
+        let Run { first, last } = run;
+        let mut half_width_mm = match first.course.is_constant() {
+            true => profile.half_width_mm(),
+            false => first
+                .half_width_mm(first.at[0])
+                .max(last.half_width_mm(last.at[1])),
+        };
+        for _ in 0..MOST_LOOKS {
+            let stretch;
+            (near, stretch) = self.stretch(run, region, &near, half_width_mm);
+            profile = Profile::mean(&first.track, &first.course, stretch);
+            let narrower = profile.half_width_mm();
+            if narrower > LEAST_NARROWING * half_width_mm {
+                break;
+            }
+            half_width_mm = narrower;
+        }
+        (near, profile)
     }
 
     /// What a region holds of a run so wide: the place in its middle, and from where to where it is, as shares of arc
@@ -323,13 +357,14 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
         let Run { first, last } = run;
         let across = DVec2::new(near.travel.y, -near.travel.x);
         let side = across * half_width_mm;
-        let covered = region
-            .clipped(near.origin - side, across)
-            .and_then(|half| half.clipped(near.origin + side, -across));
+        let covered = region.within(&[[near.origin - side, across], [near.origin + side, -across]]);
         let Some(covered) = covered else {
             return (*near, [near.at; 2]);
         };
         let near = self.nearest_on(run, covered.centroid());
+        if first.course.is_constant() {
+            return (near, [near.at; 2]);
+        }
         let Near {
             at, origin, travel, ..
         } = near;
@@ -347,9 +382,9 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
 
     /// The sectors of the cap at an end of a part, if that is a hard end of its scratch within reach.
     fn emit_cap(&mut self, part: &Part<'p>, end: End) {
-        let Some(cap) = self.pattern.cap_at(part.number, end) else {
+        if !part.is_end[usize::from(end == End::Stop)] {
             return;
-        };
+        }
         let (point, travel, outward) = match end {
             End::Start => (part.control[0], part.parting[0], -part.parting[0]),
             End::Stop => (part.control[3], part.parting[1], part.parting[1]),
@@ -358,6 +393,9 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
         if !(point.cmpge(low).all() && point.cmple(high).all()) {
             return;
         }
+        let Some(cap) = self.pattern.cap_at(part.number, end) else {
+            return;
+        };
         let Some(beyond) = self.reach.footprint.clipped(point, outward) else {
             return;
         };
@@ -366,9 +404,7 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
             let [from, to, axis] = sector.wedge.directions(travel);
             let origin = point + sector.offset_mm * DVec2::new(travel.y, -travel.x);
             let parting = [[origin, from.perp()], [origin, to.perp()]];
-            let region = beyond
-                .clipped(origin, from.perp())
-                .and_then(|part| part.clipped(origin, -to.perp()));
+            let region = beyond.within(&[[origin, from.perp()], [origin, -to.perp()]]);
             let Some(region) = region else { continue };
             let mut hit = Hit {
                 track: part.track,
@@ -380,12 +416,11 @@ impl<'p, V: FnMut(Hit<'p>)> Walk<'_, 'p, V> {
                 origin,
                 travel: axis.perp(),
                 parting,
-                region,
                 cover: None,
                 visible,
             };
-            hit.cover = hit.covered(hit.ends_mm, region);
-            (self.visit)(hit);
+            hit.cover = region.within(&hit.sides(hit.ends_mm));
+            (self.visit)(&hit);
         }
     }
 

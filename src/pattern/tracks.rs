@@ -75,9 +75,7 @@ pub(crate) struct TrackRef<'p> {
     pub first_station: usize,
     pub vertex_count: usize,
     pub layers: &'p [LayerFinish],
-    /// At hard ends: where it starts, and where it stops.
-    pub caps: [Option<CapRef<'p>>; 2],
-    pub bulk: Finish,
+    pub bulk: &'p Finish,
     /// Of its widest cross-section.
     pub half_width_mm: f64,
 }
@@ -144,12 +142,16 @@ impl Tracks {
             layers: self
                 .layers
                 .get(layer..layer + record.layer_count as usize)?,
-            caps: record
-                .caps
-                .map(|caps| self.caps.get(caps, vertices_per_sector(per_station - 5))),
-            bulk: record.bulk,
+            bulk: &record.bulk,
             half_width_mm: record.extent.half_width_mm.into(),
         })
+    }
+
+    /// What stands beyond the hard ends of a track's scratches: where they start (0), or where they stop (1).
+    pub(crate) fn caps(&self, number: u32, end: usize) -> Option<CapRef<'_>> {
+        let record = self.records.get(number as usize)?;
+        let facets = (record.vertex_count as usize).checked_sub(5)?;
+        self.caps.get(record.caps[end], vertices_per_sector(facets))
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = TrackRef<'_>> {
@@ -225,7 +227,7 @@ impl<'p> TrackRef<'p> {
     /// The finishes of its zones, from the surface down.
     pub(crate) fn finishes(&self) -> impl Iterator<Item = Finish> {
         let layers = self.layers.iter().map(|layer| layer.finish);
-        layers.chain([self.bulk])
+        layers.chain([*self.bulk])
     }
 
     /// Classes that stand for the cross-section at a place, and the share of each.

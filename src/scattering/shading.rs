@@ -7,7 +7,7 @@ use crate::error::{Error, Result, all_finite, in_range};
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
     Candidates, Crowd, Frame, Hit, Layered, MOST_VERTICES, Metric, Pattern, Reach, Region,
-    SurfacePoint, uncut, uncut_share,
+    SurfacePoint, cut, uncut_share,
 };
 use crate::single;
 use arrayvec::ArrayVec;
@@ -25,6 +25,10 @@ const MOST_PARTS: usize = 8;
 
 /// Runs of scratch that are looked at one by one: more than are held, for later ones cut earlier ones away.
 const MOST_HITS: usize = 128;
+
+/// Most pixels have no more than so many. Room for all would be 100 KB of stack, which takes longer to be touched
+/// than a scratch to be shaded.
+const FEW_HITS: usize = 12;
 
 /// A run that is larger by this share than the first one of the crowd stands alone; in between it does in part.
 const FADE: f64 = 0.3;
@@ -108,25 +112,14 @@ impl Shading {
         let metric = Metric::at(point, &frame, scale)?;
         let (region, footprint) = metric.region(&point.footprint, scale);
         if self.view.z >= LEAST_COS {
-            let pixel_area = region.area();
-            let reach = Reach {
-                metric: &metric,
-                footprint: &region,
-                reach_mm: self.reach_mm(pattern),
-            };
-            let mut candidates = Candidates::new();
-            let complete = pattern.candidates(&reach, &mut candidates);
-            let mut crowd = None;
-            let few = complete && self.add_each(pattern, &candidates, &reach, &mut crowd);
-            let place = (&metric, pixel_area);
-            let held = crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, place));
-            if !(few && held) {
-                self.clear();
-                let crowd = pattern.crowd(&reach, complete.then_some(&candidates));
-                self.add_crowd(pattern, &crowd, place);
-                self.scratch_count = crowd.count;
-            }
-            self.share_out();
+            self.fill(
+                pattern,
+                &Reach {
+                    metric: &metric,
+                    footprint: &region,
+                    reach_mm: self.reach_mm(pattern),
+                },
+            );
         }
         footprint
     }
@@ -240,6 +233,29 @@ impl Shading {
         self.zones.clear();
     }
 
+    /// Adds all that the footprint holds.
+    fn fill(&mut self, pattern: &Pattern, reach: &Reach<'_>) {
+        let mut candidates = Candidates::new();
+        let complete = pattern.candidates(reach, &mut candidates);
+        if complete && candidates.is_empty() {
+            return;
+        }
+        let few = candidates.len() <= FEW_HITS;
+        let mut all =
+            complete && few && self.add_each::<FEW_HITS>(pattern, &candidates, reach, FEW_HITS);
+        if complete && !all {
+            self.clear();
+            all = self.add_each::<MOST_HITS>(pattern, &candidates, reach, MOST_HITS / 2);
+        }
+        if !all {
+            self.clear();
+            let crowd = pattern.crowd(reach, complete.then_some(&candidates));
+            self.add_crowd(pattern, &crowd, reach);
+            self.scratch_count = crowd.count;
+        }
+        self.share_out();
+    }
+
     /// How far from the footprint a scratch can matter: by its width, by parallax, by its shadow.
     fn reach_mm(&self, pattern: &Pattern) -> f64 {
         let view = self.view.as_dvec3();
@@ -249,22 +265,22 @@ impl Shading {
             + f64::from(extent.height_mm) * (f64::from(LONGEST_SHADOW) + parallax)
     }
 
-    /// Adds each run by itself, less what later ones cut away; the smallest ones to the crowd where there is no
-    /// room. False if there are too many to be looked at.
-    fn add_each(
+    /// Adds each run by itself, less what later ones cut away; the smallest ones as a crowd where there is no room.
+    /// False if there are more than `MOST` to be looked at, or a crowd finds no room: then some may have been added.
+    /// What only shades the pixel is left out from run `most_beside` on, not to crowd out what the pixel holds.
+    #[inline(never)]
+    fn add_each<const MOST: usize>(
         &mut self,
         pattern: &Pattern,
         candidates: &Candidates,
         reach: &Reach<'_>,
-        crowd: &mut Option<Crowd>,
+        most_beside: usize,
     ) -> bool {
-        let pixel_area = reach.footprint.area();
-        let mut hits: ArrayVec<Hit<'_>, MOST_HITS> = ArrayVec::new();
+        let mut hits: ArrayVec<Hit<'_>, MOST> = ArrayVec::new();
         let mut all = true;
         pattern.for_each_run(candidates, reach, &mut |hit| {
-            // What only shades the pixel must not crowd out what it holds.
-            if hit.cover.is_some() || hits.len() < MOST_HITS / 2 {
-                all &= hits.try_push(hit).is_ok();
+            if hit.cover.is_some() || hits.len() < most_beside || most_beside == MOST {
+                all &= hits.try_push(*hit).is_ok();
             }
         });
         if !all {
@@ -276,7 +292,7 @@ impl Shading {
             self.scratch_count += u32::from(last != scratch);
             last = scratch;
         }
-        let mut runs: ArrayVec<(usize, f64), MOST_HITS> = ArrayVec::new();
+        let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
         runs.extend(
             hits.iter()
                 .map(|hit| hit.cover.map_or(0.0, |cover| cover.area()))
@@ -291,12 +307,13 @@ impl Shading {
         };
         let first_of_crowd = runs.iter().enumerate().find(full);
         let first_of_crowd = first_of_crowd.map_or(0.0, |(_, run)| run.1);
+        let mut crowd = None;
         for &(i, area) in &runs {
             let hit = &hits[i];
             // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
             let alone = ((area / first_of_crowd - 1.0) / FADE).clamp(0.0, 1.0);
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
-            let added = alone > 0.0 && self.add(&hits, i, single(alone), pixel_area).is_some();
+            let added = alone > 0.0 && self.add(&hits, i, single(alone), reach.footprint).is_some();
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(Crowd::new);
@@ -304,11 +321,12 @@ impl Shading {
                 pattern.add_run(crowd, hit, reach, rest * area * left);
             }
         }
-        true
+        crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, reach))
     }
 
     /// Adds what is left of run `i`, thinned by `gain`; nothing if there is no room.
-    fn add(&mut self, hits: &[Hit<'_>], i: usize, gain: f32, pixel_area: f64) -> Option<()> {
+    fn add(&mut self, hits: &[Hit<'_>], i: usize, gain: f32, footprint: &Region) -> Option<()> {
+        let pixel_area = footprint.area();
         let hit = &hits[i];
         if self.relief_count as usize == MOST_RELIEFS {
             return None;
@@ -322,7 +340,11 @@ impl Shading {
         let layered = Layered::cut(xs, zs, layers.map(|layer| layer.bottom_mm));
         let (xs, zs, layer) = layered.parts();
         let first = self.zones.free(xs.len())?;
-        let left = uncut::<MOST_PARTS>(hits, i, hit.region, pixel_area)?;
+        let mut left: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
+        left.push(hit.beside(footprint)?);
+        if !cut(hits, i, &mut left, pixel_area) {
+            return None;
+        }
         let densities = &mut self.zones.densities;
         let weight = densities.add_regions(&left, hit.origin, across, pixel_area)?;
         let mut numbers = [0; MOST_LAYERS + 1];
@@ -343,12 +365,9 @@ impl Shading {
     }
 
     /// Adds scratches by cross-section and direction; false if there is no room for one of the cross-sections.
-    fn add_crowd(
-        &mut self,
-        pattern: &Pattern,
-        crowd: &Crowd,
-        (metric, pixel_area): (&Metric, f64),
-    ) -> bool {
+    #[inline(never)]
+    fn add_crowd(&mut self, pattern: &Pattern, crowd: &Crowd, reach: &Reach<'_>) -> bool {
+        let pixel_area = reach.footprint.area();
         let fits = |coarser: &usize| crowd.flocks(*coarser).count() <= MOST_FLOCKS;
         let coarser = [1, 2, 4, 8, 16].into_iter().find(fits).unwrap_or(32);
         let mut class = None;
@@ -364,7 +383,7 @@ impl Shading {
             let Some((_, slots)) = class else {
                 return false;
             };
-            let travel = metric.to_mm * (flock.travel / pattern.units_per_uv);
+            let travel = reach.metric.to_mm * (flock.travel / pattern.units_per_uv);
             let length = travel.length();
             let across = DVec2::new(travel.y, -travel.x) / length;
             let area_mm2 = flock.area_mm2 * length / pattern.mm_per_scene_unit;
