@@ -33,7 +33,7 @@ impl Facet {
     }
 
     /// A light, a unit vector, by two numbers from 0 up to (not including) 1: [`Self::eval`] over [`Self::pdf`] is what it
-    /// counts, 2 at most for white. Nothing where it would be below the facet; that counts as black.
+    /// counts, 2.2 at most for white. Nothing where it would be below the facet; that counts as black.
     pub fn sample(&self, u: [f32; 2], view: [f32; 3]) -> Option<[f32; 3]> {
         let light = self.finish.sample(u, self.normal, direction(view))?;
         Some(light.to_array())
@@ -45,7 +45,7 @@ impl Facet {
         self.finish.pdf(self.normal, &pair)
     }
 
-    /// An estimate of the share of light that it reflects towards a view, RGB, within 0.02.
+    /// An estimate of the share of light that it reflects towards a view, RGB, within 0.04.
     pub fn reflectance(&self, view: [f32; 3]) -> [f32; 3] {
         let view = direction(view);
         self.finish.reflectance(self.normal, view).to_array()

@@ -156,7 +156,7 @@ impl Finish {
     }
 
     /// A light for a zone, by two numbers from 0 to 1: microfacets as often as they are seen, Phong's lobe as often as it
-    /// is bright, what is diffuse by the cosine. Nothing where view or light is below the zone.
+    /// is bright, what is diffuse by the cosine (rough at a grazing view: evenly). Nothing where view or light is below the zone.
     pub(crate) fn sample(&self, u: [f32; 2], normal: Vec3, view: Vec3) -> Option<Vec3> {
         let view = onto_zone(normal, view);
         if !is_above(view) {
@@ -167,9 +167,10 @@ impl Finish {
             GGX | ANISOTROPIC_GGX => mirrored(ggx::sample(self.alphas(), u, view)),
             BECKMANN => mirrored(beckmann::sample(self.alpha, u, view)),
             PHONG => phong::sample(self.second, u, view),
+            OREN_NAYAR => oren_nayar::sample(self.second, u, view),
             _ => lambert::sample(u),
         };
-        is_above(light).then(|| off_zone(normal, light))
+        (is_above(light) && light.is_finite()).then(|| off_zone(normal, light))
     }
 
     /// The density of [`Self::sample`] at the pair's light, per steradian; 0 unless both directions are above the
@@ -183,11 +184,12 @@ impl Finish {
             GGX | ANISOTROPIC_GGX => ggx::pdf(self.alphas(), &pair),
             BECKMANN => beckmann::pdf(self.alpha, &pair),
             PHONG => phong::pdf(self.second, &pair),
+            OREN_NAYAR => oren_nayar::pdf(self.second, &pair),
             _ => lambert::pdf(pair.light.z),
         }
     }
 
-    /// The share of light that a zone reflects towards a view, RGB: an estimate by a few samples, within 0.02.
+    /// The share of light that a zone reflects towards a view, RGB: an estimate by a few samples, within 0.04.
     pub(crate) fn reflectance(&self, normal: Vec3, view: Vec3) -> Vec3 {
         let sampled = |i: u32| {
             let light = self.sample(hammersley(i), normal, view)?;

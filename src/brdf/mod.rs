@@ -92,12 +92,13 @@ impl Pair {
     pub(crate) fn new(view: Vec3, light: Vec3) -> Self {
         let sum = view + light;
         // Opposite directions (their sum 0) have no half vector; they are never both above a zone.
-        let half = sum / sum.length().max(1e-6);
+        let length = sum.length();
         Self {
             view,
             light,
-            half,
-            view_half: view.dot(half).clamp(0.0, 1.0),
+            half: sum / length.max(1e-6),
+            // Half their sum's length: the same whichever is which, also once both are rounded.
+            view_half: (0.5 * length).min(1.0),
         }
     }
 

@@ -6,8 +6,9 @@
 //! little less elsewhere. What facets reflect to each other is left out, as it is of microfacets: a white
 //! surface of full roughness keeps 78 % at normal incidence, 83 % on average. (EON gives that back, in a second colour.)
 
-use super::Pair;
-use core::f32::consts::{FRAC_1_PI, PI};
+use super::{Pair, lambert};
+use core::f32::consts::{FRAC_1_PI, PI, TAU};
+use glam::Vec3;
 
 /// pi/2 - 2/3: what rough facets add at grazing incidence, times pi and over the roughness.
 const GRAZING: f32 = 0.5 * PI - 2.0 / 3.0;
@@ -27,4 +28,27 @@ pub(super) fn lobe_cos(roughness: f32, pair: &Pair) -> f32 {
         beside
     };
     (scale(roughness) * (1.0 + roughness * away)).max(0.0) * n_l
+}
+
+/// The share of samples that are spread evenly over all lights: at grazing angles the lobe rises to 1 over the cosine, and
+/// by the cosine alone few samples would count for much.
+fn even_share(roughness: f32, view: Vec3) -> f32 {
+    roughness * view.truncate().length()
+}
+
+/// A light, by the cosine or evenly.
+pub(super) fn sample(roughness: f32, [u, v]: [f32; 2], view: Vec3) -> Vec3 {
+    let even = even_share(roughness, view);
+    if u >= even {
+        return lambert::sample([(u - even) / (1.0 - even), v]);
+    }
+    let (sin_azimuth, cos_azimuth) = (TAU * u / even).sin_cos();
+    let radius = (1.0 - v * v).sqrt();
+    Vec3::new(radius * cos_azimuth, radius * sin_azimuth, v)
+}
+
+/// The density of [`sample`], per steradian.
+pub(super) fn pdf(roughness: f32, pair: &Pair) -> f32 {
+    let even = even_share(roughness, pair.view);
+    (1.0 - even) * lambert::pdf(pair.light.z) + even / TAU
 }
