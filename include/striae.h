@@ -137,6 +137,23 @@ typedef enum StriaeBrdfKind {
    * GGX microfacets with height-correlated Smith masking: `alpha` and a Fresnel reflectance.
    */
   STRIAE_BRDF_KIND_GGX = 1,
+  /**
+   * Rough and diffuse, by Oren and Nayar in Fujii's form: `albedo` and `roughness`.
+   */
+  STRIAE_BRDF_KIND_OREN_NAYAR = 2,
+  /**
+   * Phong's lobe, normalised: `specular` and `exponent`.
+   */
+  STRIAE_BRDF_KIND_PHONG = 3,
+  /**
+   * Cook-Torrance: Beckmann microfacets, masked as V-grooves: `alpha` and a Fresnel reflectance.
+   */
+  STRIAE_BRDF_KIND_COOK_TORRANCE = 4,
+  /**
+   * GGX of polishing lines, which run along the scratch, or on the flat surface along dp_du: `alpha_across`,
+   * `alpha_along` and a Fresnel reflectance.
+   */
+  STRIAE_BRDF_KIND_ANISOTROPIC_GGX = 5,
 } StriaeBrdfKind;
 
 /**
@@ -445,15 +462,15 @@ typedef struct StriaeBrdf {
    */
   uint32_t kind;
   /**
-   * A StriaeFresnelKind (GGX).
+   * A StriaeFresnelKind (GGX, anisotropic GGX, Cook-Torrance).
    */
   uint32_t fresnel;
   /**
-   * Lambert: albedo, 0 to 1.
+   * Lambert, Oren-Nayar: albedo, 0 to 1.
    */
   float albedo[3];
   /**
-   * GGX: width of the distribution of slopes, 0.001 to 1.
+   * GGX, Cook-Torrance: width of the distribution of slopes, 0.001 to 1.
    */
   float alpha;
   /**
@@ -468,6 +485,26 @@ typedef struct StriaeBrdf {
    * Conductor: its imaginary part, 0 to 20.
    */
   float k[3];
+  /**
+   * Anisotropic GGX: width of the distribution of slopes across the polishing lines, 0.001 to 1.
+   */
+  float alpha_across;
+  /**
+   * Anisotropic GGX: width along the lines, 0.001 to 1.
+   */
+  float alpha_along;
+  /**
+   * Oren-Nayar: 0 (Lambert) to 1 (as rough as can be), without a unit.
+   */
+  float roughness;
+  /**
+   * Phong: of the lobe's cosine, 1 (wide) to 100000 (sharp).
+   */
+  float exponent;
+  /**
+   * Phong: colour, 0 to 1.
+   */
+  float specular[3];
 } StriaeBrdf;
 
 /**
@@ -1027,7 +1064,7 @@ typedef struct StriaeFrame {
 } StriaeFrame;
 
 /**
- * A point seen from one direction: plain data, 8 KiB, on the caller's stack. It need not be initialised, owns
+ * A point seen from one direction: plain data, 8.25 KiB, on the caller's stack. It need not be initialised, owns
  * nothing, outlives its pattern, and may be copied and read by any thread. Write to none of it.
  */
 typedef struct StriaeShading {
@@ -1043,7 +1080,7 @@ typedef struct StriaeShading {
   /**
    * The library's own.
    */
-  uint64_t opaque[1023];
+  uint64_t opaque[1055];
 } StriaeShading;
 
 /**
@@ -1299,13 +1336,50 @@ enum StriaeStatus striae_pattern_open(const char *path,
 enum StriaeStatus striae_brdf_lambert(const float albedo[3], struct StriaeBrdf *brdf);
 
 /**
- * Fills in polished metal: GGX with the metal's own conductor Fresnel reflectance.
+ * Fills in a rough diffuse base BRDF: Oren-Nayar.
+ *
+ * @param albedo RGB, each 0 to 1
+ * @param roughness 0 (Lambert) to 1 (as rough as can be), without a unit
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_oren_nayar(const float albedo[3],
+                                         float roughness,
+                                         struct StriaeBrdf *brdf);
+
+/**
+ * Fills in a normalised Phong lobe.
+ *
+ * @param specular RGB, each 0 to 1
+ * @param exponent of the lobe's cosine, 1 (wide) to 100000 (sharp)
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_phong(const float specular[3],
+                                    float exponent,
+                                    struct StriaeBrdf *brdf);
+
+/**
+ * Fills in GGX microfacets with Schlick's Fresnel reflectance. For Cook-Torrance set `kind` afterwards; for polishing
+ * lines `kind` and whichever of `alpha_across` and `alpha_along` differs.
+ *
+ * @param f0 reflectance at normal incidence, RGB, each 0 to 1
+ * @param alpha width of the distribution of slopes, 0.001 (mirror) to 1 (rough)
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_schlick(const float f0[3],
+                                      float alpha,
+                                      struct StriaeBrdf *brdf);
+
+/**
+ * Fills in polished metal: GGX with the metal's own conductor Fresnel reflectance. For Cook-Torrance set `kind`
+ * afterwards; for polishing lines `kind` and whichever of `alpha_across` and `alpha_along` differs.
  *
  * @param metal a StriaeMetal
  * @param alpha width of the distribution of slopes, 0.001 (mirror) to 1 (rough)
  * @param brdf is written on success only
  */
-enum StriaeStatus striae_brdf_metal(uint32_t metal, float alpha, struct StriaeBrdf *brdf);
+enum StriaeStatus striae_brdf_metal(uint32_t metal,
+                                    float alpha,
+                                    struct StriaeBrdf *brdf);
 
 /**
  * Fills in a metal: its hardness, a satin surface (GGX alpha 0.3) and smoother scratches (0.15), flowing as the

@@ -1,25 +1,44 @@
 //! A base BRDF made ready for evaluation: plain numbers, valid whatever their bits, so that a shading point
 //! may live in a caller's uninitialised memory.
 
-use super::{Brdf, Fresnel, Pair, ggx};
+use super::{Brdf, Fresnel, Pair, beckmann, ggx, lambert, oren_nayar, phong};
 use core::f32::consts::FRAC_1_PI;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
+/// Lobes: what depends on the zone's normal.
 const LAMBERT: u32 = 0;
-const GGX_SCHLICK: u32 = 1;
-const GGX_CONDUCTOR: u32 = 2;
+const GGX: u32 = 1;
+const ANISOTROPIC_GGX: u32 = 2;
+const BECKMANN: u32 = 3;
+const OREN_NAYAR: u32 = 4;
+const PHONG: u32 = 5;
+
+/// Colours: what does not.
+const PLAIN: u32 = 0;
+const SCHLICK: u32 = 1;
+const CONDUCTOR: u32 = 2;
+
+/// Directions are above a zone from this cosine on: products of two with a lobe's width stay far from underflow.
+const LEAST_COS: f32 = 1e-12;
+
+/// Samples that an estimate of reflectance takes: a power of two.
+const REFLECTANCE_SAMPLES: u32 = 64;
 
 /// A base BRDF, evaluated as `shared(pair) * lobe_cos(normal, pair)`: the first factor is the same for all
-/// zones of a finish, the second depends on the zone's normal.
+/// zones of a finish, the second depends on the zone's normal. All directions are in the frame (across, along, up).
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub(crate) struct Finish {
-    kind: u32,
+    lobe: u32,
+    colour: u32,
+    /// Width of the distribution of slopes across the scratch; of Phong's lobe the width that looks like it.
     alpha: f32,
-    /// Lambert: albedo / pi; Schlick: f0; conductor: eta.
-    first: [f32; 3],
+    /// Of anisotropic GGX: along the scratch. Of Oren-Nayar the roughness, of Phong the exponent.
+    second: f32,
+    /// Plain: what all lobes are multiplied by; Schlick: f0; conductor: eta.
+    rgb: [f32; 3],
     /// Conductor: k.
-    second: [f32; 3],
+    k: [f32; 3],
 }
 
 impl Default for Finish {
@@ -29,56 +48,77 @@ impl Default for Finish {
 }
 
 impl Finish {
-    /// How wide its lobe is: the slope of its microfacets, 1 if it has none.
-    pub(crate) fn alpha(&self) -> f32 {
-        self.alpha
-    }
-
     pub(crate) const BLACK: Self = Self {
-        kind: LAMBERT,
+        lobe: LAMBERT,
+        colour: PLAIN,
         alpha: 1.0,
-        first: [0.0; 3],
-        second: [0.0; 3],
+        second: 1.0,
+        rgb: [0.0; 3],
+        k: [0.0; 3],
     };
 
     pub(crate) fn new(brdf: &Brdf) -> Self {
         match *brdf {
             Brdf::Lambert { albedo } => Self {
-                first: albedo.map(|channel| channel * FRAC_1_PI),
+                rgb: albedo.map(|channel| channel * FRAC_1_PI),
                 ..Self::BLACK
             },
-            Brdf::Ggx {
-                alpha,
-                fresnel: Fresnel::Schlick { f0 },
-            } => Self {
-                kind: GGX_SCHLICK,
-                alpha,
-                first: f0,
-                second: [0.0; 3],
+            Brdf::OrenNayar { albedo, roughness } => Self {
+                lobe: OREN_NAYAR,
+                second: roughness,
+                rgb: albedo.map(|channel| channel * FRAC_1_PI),
+                ..Self::BLACK
             },
-            Brdf::Ggx {
-                alpha,
-                fresnel: Fresnel::Conductor { eta, k },
-            } => Self {
-                kind: GGX_CONDUCTOR,
-                alpha,
-                first: eta,
-                second: k,
+            Brdf::Phong { specular, exponent } => Self {
+                lobe: PHONG,
+                alpha: phong::alpha(exponent),
+                second: exponent,
+                rgb: specular.map(|channel| channel * phong::scale(exponent)),
+                ..Self::BLACK
             },
+            Brdf::CookTorrance { alpha, fresnel } => Self::of_microfacets(BECKMANN, alpha, fresnel),
+            Brdf::Ggx { alpha, fresnel } => Self::of_microfacets(GGX, alpha, fresnel),
+            Brdf::AnisotropicGgx {
+                alpha_across,
+                alpha_along,
+                fresnel,
+            } => Self {
+                second: alpha_along,
+                ..Self::of_microfacets(ANISOTROPIC_GGX, alpha_across, fresnel)
+            },
+        }
+    }
+
+    fn of_microfacets(lobe: u32, alpha: f32, fresnel: Fresnel) -> Self {
+        let (colour, rgb, k) = match fresnel {
+            Fresnel::Schlick { f0 } => (SCHLICK, f0, [0.0; 3]),
+            Fresnel::Conductor { eta, k } => (CONDUCTOR, eta, k),
+        };
+        Self {
+            lobe,
+            colour,
+            alpha,
+            second: alpha,
+            rgb,
+            k,
+        }
+    }
+
+    /// How narrow its lobe is where it is narrowest: the slope of its microfacets, 1 if it has none.
+    pub(crate) fn alpha(&self) -> f32 {
+        match self.lobe {
+            ANISOTROPIC_GGX => self.alpha.min(self.second),
+            _ => self.alpha,
         }
     }
 
     /// What all zones of this finish share for a pair of directions.
     pub(crate) fn shared(&self, pair: &Pair) -> Vec3 {
-        let (first, second) = (self.first, self.second);
-        match self.kind {
-            GGX_SCHLICK => Fresnel::Schlick { f0: first }.reflectance(pair.view_half),
-            GGX_CONDUCTOR => Fresnel::Conductor {
-                eta: first,
-                k: second,
-            }
-            .reflectance(pair.view_half),
-            _ => Vec3::from(first),
+        let (rgb, k) = (self.rgb, self.k);
+        match self.colour {
+            SCHLICK => Fresnel::Schlick { f0: rgb }.reflectance(pair.view_half),
+            CONDUCTOR => Fresnel::Conductor { eta: rgb, k }.reflectance(pair.view_half),
+            _ => Vec3::from(rgb),
         }
     }
 
@@ -86,12 +126,108 @@ impl Finish {
     pub(crate) fn lobe_cos(&self, normal: Vec3, pair: &Pair) -> f32 {
         let n_l = normal.dot(pair.light);
         let n_v = normal.dot(pair.view);
-        if n_l <= 0.0 || n_v <= 0.0 {
+        if n_l <= LEAST_COS || n_v <= LEAST_COS {
             return 0.0;
         }
-        match self.kind {
+        match self.lobe {
             LAMBERT => n_l,
-            _ => ggx::lobe_cos(self.alpha, normal, pair.half, n_l, n_v),
+            GGX => ggx::lobe_cos(self.alpha, normal, pair.half, n_l, n_v),
+            _ => self.further_lobe_cos(&pair.tilted(normal)),
         }
     }
+
+    /// Lobes that need more of the pair than cosines: kept apart, so that the others stay short.
+    #[inline(never)]
+    fn further_lobe_cos(&self, pair: &Pair) -> f32 {
+        if !is_above(pair.light) || !is_above(pair.view) {
+            return 0.0;
+        }
+        match self.lobe {
+            ANISOTROPIC_GGX => ggx::anisotropic_lobe_cos(self.alphas(), pair),
+            BECKMANN => beckmann::lobe_cos(self.alpha, pair),
+            OREN_NAYAR => oren_nayar::lobe_cos(self.second, pair),
+            PHONG => phong::lobe_cos(self.second, pair),
+            _ => 0.0,
+        }
+    }
+
+    fn alphas(&self) -> Vec2 {
+        Vec2::new(self.alpha, self.second)
+    }
+
+    /// A light for a zone, by two numbers from 0 to 1: microfacets as often as they are seen, Phong's lobe as often as it
+    /// is bright, what is diffuse by the cosine (rough at a grazing view: evenly). Nothing where view or light is below the zone.
+    pub(crate) fn sample(&self, u: [f32; 2], normal: Vec3, view: Vec3) -> Option<Vec3> {
+        let view = onto_zone(normal, view);
+        if !is_above(view) {
+            return None;
+        }
+        let mirrored = |half: Vec3| (half * (2.0 * view.dot(half)) - view).normalize_or_zero();
+        let light = match self.lobe {
+            GGX | ANISOTROPIC_GGX => mirrored(ggx::sample(self.alphas(), u, view)),
+            BECKMANN => mirrored(beckmann::sample(self.alpha, u, view)),
+            PHONG => phong::sample(self.second, u, view),
+            OREN_NAYAR => oren_nayar::sample(self.second, u, view),
+            _ => lambert::sample(u),
+        };
+        (is_above(light) && light.is_finite()).then(|| off_zone(normal, light))
+    }
+
+    /// The density of [`Self::sample`] at the pair's light, per steradian; 0 unless both directions are above the
+    /// zone. Adds up to 1 less the share of samples that fail.
+    pub(crate) fn pdf(&self, normal: Vec3, pair: &Pair) -> f32 {
+        let pair = pair.tilted(normal);
+        if !is_above(pair.light) || !is_above(pair.view) {
+            return 0.0;
+        }
+        match self.lobe {
+            GGX | ANISOTROPIC_GGX => ggx::pdf(self.alphas(), &pair),
+            BECKMANN => beckmann::pdf(self.alpha, &pair),
+            PHONG => phong::pdf(self.second, &pair),
+            OREN_NAYAR => oren_nayar::pdf(self.second, &pair),
+            _ => lambert::pdf(pair.light.z),
+        }
+    }
+
+    /// The share of light that a zone reflects towards a view, RGB: an estimate by a few samples, within 0.04.
+    pub(crate) fn reflectance(&self, normal: Vec3, view: Vec3) -> Vec3 {
+        let sampled = |i: u32| {
+            let light = self.sample(hammersley(i), normal, view)?;
+            let pair = Pair::new(view, light);
+            let weight = self.lobe_cos(normal, &pair) / self.pdf(normal, &pair);
+            weight.is_finite().then(|| self.shared(&pair) * weight)
+        };
+        (0..REFLECTANCE_SAMPLES).filter_map(sampled).sum::<Vec3>() / REFLECTANCE_SAMPLES as f32
+    }
+
+    /// How rough it is: the width of GGX microfacets that spread light about as far, 1 if it is diffuse.
+    pub(crate) fn roughness(&self) -> f32 {
+        match self.lobe {
+            ANISOTROPIC_GGX => (self.alpha * self.second).sqrt(),
+            _ => self.alpha,
+        }
+    }
+}
+
+/// Points spread evenly over the unit square.
+fn hammersley(i: u32) -> [f32; 2] {
+    let share = 1.0 / REFLECTANCE_SAMPLES as f32;
+    let reversed = i.reverse_bits() >> (u32::BITS - REFLECTANCE_SAMPLES.trailing_zeros());
+    [i, reversed].map(|n| (n as f32 + 0.5) * share)
+}
+
+fn is_above(direction: Vec3) -> bool {
+    direction.z > LEAST_COS
+}
+
+/// A direction in the zone's own frame, its normal (x, 0, z) upwards.
+pub(super) fn onto_zone(normal: Vec3, w: Vec3) -> Vec3 {
+    let (x, z) = (normal.x, normal.z);
+    Vec3::new(w.x * z - w.z * x, w.y, w.x * x + w.z * z)
+}
+
+/// Back from the zone's own frame.
+fn off_zone(normal: Vec3, w: Vec3) -> Vec3 {
+    let (x, z) = (normal.x, normal.z);
+    Vec3::new(w.x * z + w.z * x, w.y, w.z * z - w.x * x)
 }

@@ -1,5 +1,6 @@
 //! Reflectance of a smooth interface.
 
+use super::Metal;
 use crate::error::{Result, rgb_in_range};
 use glam::Vec3;
 
@@ -21,6 +22,12 @@ pub enum Fresnel {
 }
 
 impl Fresnel {
+    /// A metal's own reflectance.
+    pub fn metal(metal: Metal) -> Self {
+        let (eta, k) = metal.eta_k();
+        Self::Conductor { eta, k }
+    }
+
     pub(crate) fn check(self) -> Result<Self> {
         match self {
             Self::Schlick { f0 } => {

@@ -57,7 +57,7 @@ pub struct StriaeFrame {
     pub z: [f32; 3],
 }
 
-/// A point seen from one direction: plain data, 8 KiB, on the caller's stack. It need not be initialised, owns
+/// A point seen from one direction: plain data, 8.25 KiB, on the caller's stack. It need not be initialised, owns
 /// nothing, outlives its pattern, and may be copied and read by any thread. Write to none of it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +68,7 @@ pub struct StriaeShading {
     /// cross-sections and directions they were summed up by.
     pub scratch_count: u32,
     /// The library's own.
-    pub opaque: [u64; 1023],
+    pub opaque: [u64; 1055],
 }
 
 const _: () = assert!(

@@ -19,7 +19,7 @@ use std::sync::Arc;
 const MAGIC: [u8; 8] = *b"STRIAE\r\n";
 
 /// Changes with the meaning of any byte.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 const BYTE_ORDER: u32 = 0x0102_0304;
 
@@ -227,7 +227,7 @@ fn check_header(file: &[u8]) -> Result<[Entry; SECTIONS]> {
         return refused("has a damaged header", WHOLE);
     }
     if head.version != VERSION {
-        return refused(format!("has version {}", head.version), "version 1");
+        return refused(format!("has version {}", head.version), "version 2");
     }
     if head.file_bytes != file.len() as u64 {
         let (stated, found) = (head.file_bytes, file.len());

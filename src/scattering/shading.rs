@@ -2,7 +2,7 @@
 
 use super::flocks::{Flock, Flocks, MOST_FLOCKS};
 use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, MOST_SLOTS, Relief, Zones};
-use crate::brdf::{Brdf, Finish, Pair};
+use crate::brdf::{ACROSS_SURFACE, Brdf, Finish, Pair};
 use crate::error::{Error, Result, all_finite, in_range};
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
@@ -204,7 +204,8 @@ impl Shading {
         } else {
             0.0
         };
-        sum += self.surface.shared(&pair) * (flat * self.surface.lobe_cos(Vec3::Z, &pair));
+        let along_lines = pair.turned(ACROSS_SURFACE);
+        sum += self.surface.shared(&pair) * (flat * self.surface.lobe_cos(Vec3::Z, &along_lines));
         if !sum.is_finite() {
             sum = Vec3::ZERO;
         }

@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use striae::brdf::Metal;
 use striae::files::PatternFile;
 use striae::files::pattern::{
-    BrdfEntry, CurveKind, GeneratorEntry, HardnessEntry, KeyEntry, LayerEntry, MaterialEntry,
-    MaterialName, ReadingEntry, Scale, ScratchEntry, ToolEntry, ToolName, Version,
+    BrdfEntry, CurveKind, FresnelEntry, GeneratorEntry, HardnessEntry, KeyEntry, LayerEntry,
+    MaterialEntry, MaterialName, ReadingEntry, Scale, ScratchEntry, ToolEntry, ToolName, Version,
 };
 use striae::formation::{DepthLaw, PileUpLaw};
 use striae::pattern::{Amount, Distribution, Held, Style};
@@ -70,7 +70,7 @@ fn rgb(random: &mut StdRng) -> [f32; 3] {
 
 fn brdf(random: &mut StdRng) -> BrdfEntry {
     let alpha = single(random);
-    match random.random_range(0..4) {
+    match random.random_range(0..8) {
         0 => BrdfEntry::Lambert {
             albedo: rgb(random),
         },
@@ -83,10 +83,38 @@ fn brdf(random: &mut StdRng) -> BrdfEntry {
             eta: rgb(random),
             k: rgb(random),
         },
-        _ => BrdfEntry::Metal {
+        3 => BrdfEntry::Metal {
             name: pick(random, &Metal::ALL),
             alpha,
         },
+        4 => BrdfEntry::OrenNayar {
+            albedo: rgb(random),
+            roughness: alpha,
+        },
+        5 => BrdfEntry::Phong {
+            specular: rgb(random),
+            exponent: alpha,
+        },
+        6 => BrdfEntry::CookTorrance {
+            alpha,
+            fresnel: fresnel(random),
+        },
+        _ => BrdfEntry::AnisotropicGgx {
+            alpha_across: alpha,
+            alpha_along: single(random),
+            fresnel: fresnel(random),
+        },
+    }
+}
+
+fn fresnel(random: &mut StdRng) -> FresnelEntry {
+    match random.random_range(0..3) {
+        0 => FresnelEntry::Schlick { f0: rgb(random) },
+        1 => FresnelEntry::Conductor {
+            eta: rgb(random),
+            k: rgb(random),
+        },
+        _ => FresnelEntry::Metal(pick(random, &Metal::ALL)),
     }
 }
 

@@ -294,3 +294,54 @@ fn values_are_checked() {
         assert!(message.starts_with(text), "{from} as {to}: {message}");
     }
 }
+
+/// A base BRDF's values out of range are told by their names.
+#[test]
+fn base_brdfs_are_checked() {
+    for (entry, text) in [
+        (
+            r#"{ "oren_nayar": { "albedo": [1, 1, 1], "roughness": 1.5 } }"#,
+            "roughness is 1.5; accepted: ",
+        ),
+        (
+            r#"{ "oren_nayar": { "albedo": [1, 2, 1], "roughness": 1 } }"#,
+            "albedo is 2; accepted: ",
+        ),
+        (
+            r#"{ "phong": { "specular": [1, 1, -1], "exponent": 9 } }"#,
+            "specular is -1; accepted: ",
+        ),
+        (
+            r#"{ "phong": { "specular": [1, 1, 1], "exponent": 0.5 } }"#,
+            "exponent is 0.5; accepted: ",
+        ),
+        (
+            r#"{ "cook_torrance": { "alpha": 0, "fresnel": { "metal": "gold" } } }"#,
+            "alpha is 0; accepted: ",
+        ),
+        (
+            r#"{ "cook_torrance": { "alpha": 0.1, "fresnel": { "schlick": { "f0": [0, 7, 0] } } } }"#,
+            "f0 is 7; accepted: ",
+        ),
+        (
+            r#"{ "anisotropic_ggx": { "alpha_across": 3, "alpha_along": 0.1, "fresnel": { "metal": "gold" } } }"#,
+            "alpha_across is 3; accepted: ",
+        ),
+        (
+            r#"{ "anisotropic_ggx": { "alpha_across": 0.1, "alpha_along": -1, "fresnel": { "metal": "gold" } } }"#,
+            "alpha_along is -1; accepted: ",
+        ),
+        (
+            r#"{ "anisotropic_ggx": { "alpha_across": 0.1, "alpha_along": 0.1, "fresnel": { "conductor": { "eta": [0, 1, 1], "k": [0, 0, 0] } } } }"#,
+            "eta is 0; accepted: ",
+        ),
+    ] {
+        let like = "\"like\": \"titanium\"";
+        assert!(SMALL.contains(like), "{like}");
+        let stated = format!("{like}, \"scratched\": {entry}");
+        let file = PatternFile::parse(&SMALL.replace(like, &stated)).unwrap();
+        let message = file.builder(Path::new("here")).unwrap_err().to_string();
+        let expected = format!("materials.plate: {text}");
+        assert!(message.starts_with(&expected), "{entry}: {message}");
+    }
+}

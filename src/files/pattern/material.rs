@@ -80,6 +80,66 @@ pub enum BrdfEntry {
         /// 0.001 to 1.
         alpha: f32,
     },
+    /// [`Brdf::OrenNayar`].
+    OrenNayar {
+        /// Albedo per channel, 0 to 1.
+        albedo: [f32; 3],
+        /// 0 to 1.
+        roughness: f32,
+    },
+    /// [`Brdf::Phong`].
+    Phong {
+        /// Colour per channel, 0 to 1.
+        specular: [f32; 3],
+        /// 1 to 100000.
+        exponent: f32,
+    },
+    /// [`Brdf::CookTorrance`].
+    CookTorrance {
+        /// 0.001 to 1.
+        alpha: f32,
+        /// Reflectance of a microfacet.
+        fresnel: FresnelEntry,
+    },
+    /// [`Brdf::AnisotropicGgx`].
+    AnisotropicGgx {
+        /// 0.001 to 1.
+        alpha_across: f32,
+        /// 0.001 to 1.
+        alpha_along: f32,
+        /// Reflectance of a microfacet.
+        fresnel: FresnelEntry,
+    },
+}
+
+/// How much a microfacet reflects.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum FresnelEntry {
+    /// [`Fresnel::Schlick`].
+    Schlick {
+        /// Reflectance at normal incidence per channel, 0 to 1.
+        f0: [f32; 3],
+    },
+    /// [`Fresnel::Conductor`].
+    Conductor {
+        /// Real part of the index of refraction per channel, 0.01 to 20.
+        eta: [f32; 3],
+        /// Its imaginary part, 0 to 20.
+        k: [f32; 3],
+    },
+    /// A metal's own.
+    Metal(Metal),
+}
+
+impl From<FresnelEntry> for Fresnel {
+    fn from(entry: FresnelEntry) -> Self {
+        match entry {
+            FresnelEntry::Schlick { f0 } => Self::Schlick { f0 },
+            FresnelEntry::Conductor { eta, k } => Self::Conductor { eta, k },
+            FresnelEntry::Metal(metal) => Self::metal(metal),
+        }
+    }
 }
 
 impl From<BrdfEntry> for Brdf {
@@ -90,6 +150,21 @@ impl From<BrdfEntry> for Brdf {
             BrdfEntry::Schlick { alpha, f0 } => ggx(alpha, Fresnel::Schlick { f0 }),
             BrdfEntry::Conductor { alpha, eta, k } => ggx(alpha, Fresnel::Conductor { eta, k }),
             BrdfEntry::Metal { name, alpha } => Self::metal(name, alpha),
+            BrdfEntry::OrenNayar { albedo, roughness } => Self::OrenNayar { albedo, roughness },
+            BrdfEntry::Phong { specular, exponent } => Self::Phong { specular, exponent },
+            BrdfEntry::CookTorrance { alpha, fresnel } => Self::CookTorrance {
+                alpha,
+                fresnel: fresnel.into(),
+            },
+            BrdfEntry::AnisotropicGgx {
+                alpha_across,
+                alpha_along,
+                fresnel,
+            } => Self::AnisotropicGgx {
+                alpha_across,
+                alpha_along,
+                fresnel: fresnel.into(),
+            },
         }
     }
 }

@@ -12,7 +12,7 @@ mod tool;
 pub use generator::GeneratorEntry;
 pub use json::Version;
 pub use material::{
-    BrdfEntry, HardnessEntry, LayerEntry, MaterialEntry, MaterialName, ReadingEntry,
+    BrdfEntry, FresnelEntry, HardnessEntry, LayerEntry, MaterialEntry, MaterialName, ReadingEntry,
 };
 pub use scratch::{CurveKind, KeyEntry, ScratchEntry};
 pub use tool::{ToolEntry, ToolName};

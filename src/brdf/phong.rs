@@ -1,0 +1,49 @@
+//! Phong's lobe about the mirrored view, normalised (Lafortune and Willems 1994, "Using the modified Phong
+//! reflectance model for physically based rendering"): (n + 2) / 2 pi, so that white reflects all light at normal incidence
+//! and never more. At an angle it reflects less, a sharp one about its cosine: the model's own.
+
+use super::Pair;
+use core::f32::consts::TAU;
+use glam::Vec3;
+
+/// What makes the lobe of a white surface reflect all light at normal incidence.
+pub(super) fn scale(exponent: f32) -> f32 {
+    (exponent + 2.0) / TAU
+}
+
+/// The Beckmann width whose highlight at normal incidence is as wide: half vectors turn half as far as mirrored views.
+pub(super) fn alpha(exponent: f32) -> f32 {
+    1.0 / (2.0 * exponent + 1.0).sqrt()
+}
+
+/// The cosine between mirrored view and light to the power of `exponent`; the pair in the zone's own frame.
+fn power(exponent: f32, pair: &Pair) -> f32 {
+    // 1 - cos from the two directions' distance: exact where sharp lobes need it.
+    let apart = Vec3::new(-pair.view.x, -pair.view.y, pair.view.z) - pair.light;
+    let one_minus_cos = 0.5 * apart.length_squared();
+    if one_minus_cos >= 1.0 {
+        return 0.0;
+    }
+    (exponent * (-one_minus_cos).ln_1p()).exp()
+}
+
+/// The lobe times n · light.
+pub(super) fn lobe_cos(exponent: f32, pair: &Pair) -> f32 {
+    power(exponent, pair) * pair.light.z
+}
+
+/// A light by the lobe; it may lie below the zone.
+pub(super) fn sample(exponent: f32, u: [f32; 2], view: Vec3) -> Vec3 {
+    let mirrored = Vec3::new(-view.x, -view.y, view.z);
+    let (s, t) = mirrored.any_orthonormal_pair();
+    let one_minus_cos = -((-u[1]).ln_1p() / (exponent + 1.0)).exp_m1();
+    let sin = (one_minus_cos * (2.0 - one_minus_cos)).max(0.0).sqrt();
+    let (sin_azimuth, cos_azimuth) = (TAU * u[0]).sin_cos();
+    let light = mirrored * (1.0 - one_minus_cos) + (s * cos_azimuth + t * sin_azimuth) * sin;
+    light.normalize_or_zero()
+}
+
+/// The density of [`sample`], per steradian.
+pub(super) fn pdf(exponent: f32, pair: &Pair) -> f32 {
+    (exponent + 1.0) / TAU * power(exponent, pair)
+}
