@@ -15,6 +15,8 @@ pub(crate) struct Flocks {
     /// First slot and vertex count of the cross-section, one unit wide.
     slots: [[u8; 2]; MOST_FLOCKS],
     count: u32,
+    /// The share of the pixel that the viewer sees all of them in, over the shares that they cover.
+    seen_per_share: f32,
 }
 
 /// One flock.
@@ -26,6 +28,8 @@ pub(crate) struct Flock {
     pub slots: [u32; 2],
     /// The share of the pixel that it covers.
     pub share: f32,
+    /// How often it is sampled: in all as often as the viewer sees any of them.
+    pub shown: f32,
 }
 
 impl Flocks {
@@ -34,10 +38,12 @@ impl Flocks {
         share: [0.0; MOST_FLOCKS],
         slots: [[0; 2]; MOST_FLOCKS],
         count: 0,
+        seen_per_share: 0.0,
     };
 
     pub(crate) fn clear(&mut self) {
         self.count = 0;
+        self.seen_per_share = 0.0;
     }
 
     pub(crate) fn push(&mut self, flock: &Flock) {
@@ -55,7 +61,19 @@ impl Flocks {
             across: Vec2::from(self.across[i].map(f32::from)) / 32767.0,
             slots: self.slots[i].map(u32::from),
             share: self.share[i],
+            shown: self.share[i] * self.seen_per_share,
         })
+    }
+
+    /// The share of the pixel that the viewer sees all of them in.
+    pub(crate) fn seen(&self) -> f32 {
+        self.iter().map(|flock| flock.shown).sum()
+    }
+
+    /// Sets in what share of the pixel the viewer sees all of them.
+    pub(crate) fn set_seen(&mut self, seen: f32) {
+        let shares: f32 = self.share[..self.count as usize].iter().sum();
+        self.seen_per_share = if shares > 0.0 { seen / shares } else { 0.0 };
     }
 
     /// Thins all of them.

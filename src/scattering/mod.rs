@@ -4,10 +4,14 @@
 //! each zone shows of itself, and how much that weighs in the pixel. Each light then costs a pass over the
 //! zones ([`Shading::eval`]). Nothing here allocates, locks or fails.
 
+mod eval;
 mod flocks;
 mod footprint;
 mod relief;
+mod sample;
 mod shading;
 mod visibility;
 
-pub use shading::{CrossFootprint, Output, Shading};
+pub use eval::Output;
+pub use sample::{Evaluated, Sample};
+pub use shading::{CrossFootprint, Shading};

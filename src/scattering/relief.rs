@@ -1,6 +1,6 @@
 //! The zones of the scratches in one footprint, prepared for one view.
 
-use super::flocks::{Flock, Flocks};
+use super::flocks::Flock;
 use super::footprint::{Densities, Weight};
 use super::visibility::{Across, Part, overlap, sweep};
 use crate::brdf::{Finish, Pair};
@@ -13,8 +13,8 @@ pub(crate) const MOST_RELIEFS: usize = 17;
 /// Vertices that a shading point holds for all its scratches together.
 pub(crate) const MOST_SLOTS: usize = 200;
 
-/// Different finishes that a shading point holds. Zones of further ones reflect like the last.
-pub(crate) const MOST_FINISHES: usize = 12;
+/// Different finishes that a shading point holds, the surface's among them. Zones of further ones reflect like the last.
+pub(crate) const MOST_FINISHES: usize = 8;
 
 /// A shadow at grazing light is followed to this many times the height it falls from (down to 2.9 degrees).
 pub(crate) const LONGEST_SHADOW: f32 = 20.0;
@@ -40,6 +40,19 @@ pub(crate) struct Zones {
     pub densities: Densities,
 }
 
+/// A facet of a scratch, or the flat surface: what of the pixel it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Zone {
+    /// In the frame (across, along, up) of its scratch.
+    pub normal: Vec3,
+    /// Number of its finish.
+    pub finish: u8,
+    /// The share of the pixel that the viewer sees it in.
+    pub seen: f32,
+    /// The share in which it is seen and lit.
+    pub lit: f32,
+}
+
 /// One scratch in the footprint. Lengths in mm across the scratch, from its centre line.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -50,7 +63,7 @@ pub(crate) struct Relief {
     pub vertices: u32,
     /// How far crowding thins it.
     pub gain: f32,
-    /// The share of the pixel that the viewer sees it in, before thinning.
+    /// The share of the pixel that the viewer sees it in (its zones' weights added up), before thinning.
     shown: f32,
     /// What of the pixel's plane the viewer sees through this scratch, from and to.
     seen_flat: [f32; 2],
@@ -67,16 +80,22 @@ impl Zones {
             weight: [0.0; MOST_SLOTS],
             finish: [0; MOST_SLOTS],
             finishes: [Finish::BLACK; MOST_FINISHES],
-            finish_count: 0,
+            finish_count: 1,
             used: 0,
             densities: Densities::EMPTY,
         }
     }
 
+    /// Forgets all but the surface's finish.
     pub(crate) fn clear(&mut self) {
         self.used = 0;
-        self.finish_count = 0;
+        self.finish_count = 1;
         self.densities.clear();
+    }
+
+    /// The finish of the flat surface, which has number 0.
+    pub(crate) fn set_surface(&mut self, finish: Finish) {
+        self.finishes[0] = finish;
     }
 
     /// The number of a finish among those that this point holds.
@@ -84,7 +103,7 @@ impl Zones {
         let held = &self.finishes[..self.finish_count as usize];
         let known = held.iter().position(|other| other == finish);
         let number = known.unwrap_or(held.len().min(MOST_FINISHES - 1));
-        if number == held.len() {
+        if known.is_none() && number == held.len() {
             self.finishes[number] = *finish;
             self.finish_count += 1;
         }
@@ -129,12 +148,12 @@ impl Zones {
         if !self.densities.touches(&weight, shaded) {
             return None;
         }
-        let relief = Relief {
+        let mut relief = Relief {
             across,
             first: first_slot,
             vertices: u32::try_from(vertices).unwrap_or(0),
             gain: 1.0,
-            shown: self.densities.taken(&weight, seen_flat),
+            shown: 0.0,
             seen_flat,
             weight,
         };
@@ -143,6 +162,7 @@ impl Zones {
             // Scaled up first: facets of nanometres would underflow when squared.
             self.normal_x[k] = -(run * 1e6).normalize_or(Vec2::X).y;
             self.weight[k] = self.part_weight(&relief, k, unpacked(self.seen[k]), v.x / v.z);
+            relief.shown += self.weight[k];
         }
         self.used = self.used.max(first_slot + relief.vertices);
         Some(relief)
@@ -161,16 +181,17 @@ impl Zones {
         self.densities.between(&relief.weight, from, to).max(0.0)
     }
 
-    /// Adds what one relief reflects to each finish's lobe (base BRDF's lobe times cosine, weighed), and
-    /// returns the share of the pixel's flat surface that it takes from this light.
-    fn reflect(&self, relief: &Relief, pair: &Pair, lobes: &mut [f32; MOST_FINISHES]) -> f32 {
-        let pair = pair.turned(relief.across);
-        let slots = relief.first as usize..(relief.first + relief.vertices) as usize;
-        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots.clone()]);
-        let light = Across {
-            x: pair.light.x,
-            z: pair.light.z,
-        };
+    /// Visits each zone of a relief that is seen, and returns the share of the pixel's flat surface that it takes from
+    /// this light; `pair` is in the relief's frame.
+    pub(crate) fn each_of_relief(
+        &self,
+        relief: &Relief,
+        pair: &Pair,
+        mut visit: impl FnMut(&Zone),
+    ) -> f32 {
+        let slots = relief.slots();
+        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
+        let light = Across::of(pair.light);
         let view_slope = pair.view.x / pair.view.z;
         let horizon = sweep(xs, zs, light, |k, lit| {
             let slot = relief.first as usize + k;
@@ -184,36 +205,64 @@ impl Zones {
             } else {
                 self.part_weight(relief, slot, both, view_slope)
             };
-            if weight > 0.0 {
-                let normal = self.normal(slot);
-                let finish = self.finish[slot] as usize;
-                let lobe = self.finishes[finish].lobe_cos(normal, &pair);
-                lobes[finish] += relief.gain * weight * lobe;
-            }
+            visit(&Zone {
+                normal: self.normal(slot),
+                finish: self.finish[slot],
+                seen: relief.gain * self.weight[slot],
+                lit: relief.gain * weight,
+            });
         });
         let lit_flat = light.flat_ends(horizon, relief.seen_flat);
         relief.gain * self.densities.taken(&relief.weight, lit_flat)
     }
 
-    /// What all reliefs and flocks reflect (RGB, BRDF times cosine, weighed), and the share of the pixel's flat
-    /// surface that they take from this light.
-    pub(crate) fn reflect_all(
+    /// As [`Self::each_of_relief`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.
+    pub(crate) fn each_of_flock(
         &self,
-        reliefs: &[Relief],
-        flocks: &Flocks,
+        flock: &Flock,
         pair: &Pair,
-    ) -> (Vec3, f32) {
-        let mut lobes = [0.0; MOST_FINISHES];
-        let mut taken = 0.0;
-        for relief in reliefs {
-            taken += self.reflect(relief, pair, &mut lobes);
-        }
-        for flock in flocks.iter() {
-            taken += self.reflect_flock(&flock, pair, &mut lobes);
-        }
+        mut visit: impl FnMut(&Zone),
+    ) -> f32 {
+        let (xs, zs) = self.class(flock.slots);
+        let [view, light] = [pair.view, pair.light].map(Across::of);
+        let view_slope = pair.view.x / pair.view.z;
+        let width = |k: usize| (xs[k + 1] - xs[k] - (zs[k + 1] - zs[k]) * view_slope).max(0.0);
+        let mut seen = [[0.0; 2]; MOST_CLASS_VERTICES];
+        let mut shown = 0.0;
+        let horizon = sweep(xs, zs, view, |k, part| {
+            seen[k] = part;
+            shown += (part[1] - part[0]) * width(k);
+        });
+        let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
+        let horizon = sweep(xs, zs, light, |k, lit| {
+            let [from, to] = seen[k];
+            if from >= to {
+                return;
+            }
+            let both = overlap(seen[k], lit);
+            let slot = flock.slots[0] as usize + k;
+            visit(&Zone {
+                normal: self.normal(slot),
+                finish: self.finish[slot],
+                seen: flock.shown * (to - from) * width(k) / shown.max(f32::MIN_POSITIVE),
+                lit: flock.share * (both[1] - both[0]).max(0.0) * width(k),
+            });
+        });
+        let [from, to] = light.flat_ends(horizon, seen_flat);
+        flock.share * (to - from)
+    }
+
+    /// What all zones reflect together, RGB, if this is what each finish's lobes add up to.
+    pub(crate) fn colour(&self, lobes: &[f32; MOST_FINISHES], pair: &Pair) -> Vec3 {
         let finishes = &self.finishes[..self.finish_count as usize];
         let colour = |(finish, lobe): (&Finish, &f32)| finish.shared(pair) * *lobe;
-        (finishes.iter().zip(&lobes).map(colour).sum(), taken)
+        let lit = finishes.iter().zip(lobes).filter(|(_, lobe)| **lobe > 0.0);
+        lit.map(colour).sum()
+    }
+
+    /// The finish of this number.
+    pub(crate) fn finish_of(&self, number: u8) -> &Finish {
+        &self.finishes[number as usize]
     }
 
     /// Keeps a class's cross-section for flocks: its first slot and how many it takes, if there is room.
@@ -247,30 +296,6 @@ impl Zones {
         let horizon = sweep(xs, zs, view, |_, _| {});
         let [from, to] = view.flat_ends(horizon, [-0.5, 0.5]);
         to - from
-    }
-
-    /// As [`Self::reflect`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.
-    fn reflect_flock(&self, flock: &Flock, pair: &Pair, lobes: &mut [f32; MOST_FINISHES]) -> f32 {
-        let pair = pair.turned(flock.across);
-        let (xs, zs) = self.class(flock.slots);
-        let [view, light] = [pair.view, pair.light].map(|w| Across { x: w.x, z: w.z });
-        let view_slope = pair.view.x / pair.view.z;
-        let mut seen = [[0.0; 2]; MOST_CLASS_VERTICES];
-        let horizon = sweep(xs, zs, view, |k, part| seen[k] = part);
-        let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
-        let horizon = sweep(xs, zs, light, |k, lit| {
-            let [from, to] = overlap(seen[k], lit);
-            if from < to {
-                let slot = flock.slots[0] as usize + k;
-                let run = xs[k + 1] - xs[k] - (zs[k + 1] - zs[k]) * view_slope;
-                let normal = self.normal(slot);
-                let finish = self.finish[slot] as usize;
-                let lobe = self.finishes[finish].lobe_cos(normal, &pair);
-                lobes[finish] += flock.share * (to - from) * run.max(0.0) * lobe;
-            }
-        });
-        let [from, to] = light.flat_ends(horizon, seen_flat);
-        flock.share * (to - from)
     }
 
     /// A facet's normal, in the frame of its scratch.
@@ -309,6 +334,11 @@ impl Relief {
         seen_flat: [0.0; 2],
         weight: Weight::NONE,
     };
+
+    /// Where its values are kept.
+    pub(crate) fn slots(&self) -> core::ops::Range<usize> {
+        self.first as usize..(self.first + self.vertices) as usize
+    }
 
     /// The share of the pixel that the viewer sees this relief in.
     pub(crate) fn coverage(&self) -> f32 {

@@ -2,7 +2,7 @@
 
 use super::flocks::{Flock, Flocks, MOST_FLOCKS};
 use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, MOST_SLOTS, Relief, Zones};
-use crate::brdf::{ACROSS_SURFACE, Brdf, Finish, Pair};
+use crate::brdf::{Brdf, Finish};
 use crate::error::{Error, Result, all_finite, in_range};
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
@@ -15,10 +15,6 @@ use glam::{DVec2, Vec2, Vec3};
 
 /// The shift of relief against the plane at a grazing view is followed to this many times its height.
 const LONGEST_PARALLAX: f64 = 20.0;
-
-/// Weights that should add up to 1 do so within this; less flat surface than that is none, or it would shine
-/// through a pixel that lies within a scratch.
-const ROUNDING: f32 = 1e-6;
 
 /// Parts that crossings may cut a run's share of the pixel into.
 const MOST_PARTS: usize = 8;
@@ -38,17 +34,7 @@ const MOST_POINTS: usize = 100;
 
 /// Directions are above the surface from this cosine on: below it, single precision cannot say where relief
 /// is seen against the plane.
-const LEAST_COS: f32 = 1e-6;
-
-/// What [`Shading::eval`] gives.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Output {
-    /// BRDF times the cosine between light and normal.
-    #[default]
-    BrdfCos,
-    /// The BRDF alone.
-    Brdf,
-}
+pub(super) const LEAST_COS: f32 = 1e-6;
 
 /// Which part of the surface a pixel covers when a cross-section is shaded by itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,11 +62,10 @@ pub struct Shading {
     scratch_count: u32,
     relief_count: u32,
     /// Zero for a point that reflects nothing.
-    view: Vec3,
-    surface: Finish,
+    pub(super) view: Vec3,
     reliefs: [Relief; MOST_RELIEFS],
-    flocks: Flocks,
-    zones: Zones,
+    pub(super) flocks: Flocks,
+    pub(super) zones: Zones,
 }
 
 impl Default for Shading {
@@ -91,7 +76,6 @@ impl Default for Shading {
             scratch_count: 0,
             relief_count: 0,
             view: Vec3::ZERO,
-            surface: Finish::BLACK,
             reliefs: [Relief::NONE; MOST_RELIEFS],
             flocks: Flocks::NONE,
             zones: Zones::empty(),
@@ -188,36 +172,14 @@ impl Shading {
         self.scratch_count
     }
 
-    /// RGB reflected towards the view from a light in direction `light` (of any length above 0, in the local
-    /// frame). Black for a light that is no direction, or below the surface.
-    pub fn eval(&self, light: [f32; 3], output: Output) -> [f32; 3] {
-        let light = direction(light).unwrap_or(Vec3::ZERO);
-        // Also black where the point itself reflects nothing (view zero).
-        if light.z < LEAST_COS || self.view.z < LEAST_COS {
-            return [0.0; 3];
-        }
-        let pair = Pair::new(self.view, light);
-        let reliefs = &self.reliefs[..self.relief_count as usize];
-        let (mut sum, taken) = self.zones.reflect_all(reliefs, &self.flocks, &pair);
-        let flat = if taken < 1.0 - ROUNDING {
-            1.0 - taken
-        } else {
-            0.0
-        };
-        let along_lines = pair.turned(ACROSS_SURFACE);
-        sum += self.surface.shared(&pair) * (flat * self.surface.lobe_cos(Vec3::Z, &along_lines));
-        if !sum.is_finite() {
-            sum = Vec3::ZERO;
-        }
-        match output {
-            Output::BrdfCos => sum.to_array(),
-            Output::Brdf => (sum / light.z).to_array(),
-        }
+    /// The scratches that it holds one by one.
+    pub(super) fn reliefs(&self) -> &[Relief] {
+        &self.reliefs[..self.relief_count as usize]
     }
 
     fn begin(&mut self, surface: Finish, view: [f32; 3]) -> Result<()> {
         self.clear();
-        self.surface = surface;
+        self.zones.set_surface(surface);
         self.view = direction(view).unwrap_or(Vec3::ZERO);
         if self.view == Vec3::ZERO {
             all_finite("view", &view)?;
@@ -392,6 +354,7 @@ impl Shading {
                 across: across.as_vec2(),
                 slots,
                 share: single(area_mm2 / pixel_area),
+                shown: 0.0,
             });
         }
         true
@@ -413,6 +376,7 @@ impl Shading {
             reliefs.iter_mut().for_each(|relief| relief.gain /= all);
             self.flocks.scale(1.0 / all);
         }
+        self.flocks.set_seen(crowd / all.max(1.0));
         // An empty sum is -0.
         self.coverage = (0.0 + all).clamp(0.0, 1.0);
     }
@@ -437,7 +401,7 @@ fn check_cross_section(vertices: &[[f32; 2]]) -> Result<()> {
 }
 
 /// Unit length at any scale; double precision holds where single would overflow, or flush to zero.
-fn direction(v: [f32; 3]) -> Option<Vec3> {
+pub(super) fn direction(v: [f32; 3]) -> Option<Vec3> {
     Vec3::from(v)
         .as_dvec3()
         .try_normalize()

@@ -18,6 +18,11 @@ pub(crate) type Part = [f32; 2];
 const HIDDEN: Part = [0.0, 0.0];
 
 impl Across {
+    /// Of a direction in the frame (across, along, up) of a scratch.
+    pub(crate) fn of(w: glam::Vec3) -> Self {
+        Self { x: w.x, z: w.z }
+    }
+
     fn key(self, x: f32, z: f32) -> f32 {
         x * self.z - z * self.x
     }
