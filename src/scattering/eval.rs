@@ -51,7 +51,11 @@ impl Shading {
                 lobes[zone.finish as usize] += zone.lit * lobe;
             }
         });
-        finite(self.zones.colour(&lobes, pair))
+        let mut sum = self.zones.colour(&lobes, pair);
+        if self.has_all_bounces() {
+            sum += self.indirect(pair);
+        }
+        finite(sum)
     }
 
     /// Visits each zone that the viewer sees, with view and light in the frame of its scratch and that frame's first
@@ -71,6 +75,7 @@ impl Shading {
                 .each_of_flock(&flock, &pair, |zone| visit(zone, &pair, across));
         }
         let flat = Zone {
+            facet: 0,
             normal: Vec3::Z,
             finish: 0,
             seen: rest(self.coverage()),

@@ -32,6 +32,14 @@ pub(crate) struct Flock {
     pub shown: f32,
 }
 
+impl Flock {
+    /// Where its cross-section is kept.
+    pub(crate) fn range(&self) -> core::ops::Range<usize> {
+        let [first, count] = self.slots.map(|slot| slot as usize);
+        first..first + count
+    }
+}
+
 impl Flocks {
     pub(crate) const NONE: Self = Self {
         across: [[0; 2]; MOST_FLOCKS],

@@ -9,6 +9,9 @@ use glam::DVec2;
 /// pixel, more where others cross it.
 pub(crate) const MOST_DENSITIES: usize = 88;
 
+/// A place is found by so many halvings.
+const HALVINGS: u32 = 20;
+
 /// The densities of all scratches of a shading point.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -175,6 +178,21 @@ impl Densities {
     pub(crate) fn taken(&self, weight: &Weight, [from, to]: [f32; 2]) -> f32 {
         let inside = |x: f32| x.max(weight.window[0]).min(weight.window[1]);
         self.between(weight, inside(from), inside(to))
+    }
+
+    /// Where between two places the share `u` of the weight between them is reached.
+    pub(crate) fn place(&self, weight: &Weight, [from, to]: [f32; 2], u: f32) -> f32 {
+        let wanted = u * self.between(weight, from, to);
+        let (mut low, mut high) = (from, to);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if self.between(weight, from, middle) < wanted {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        0.5 * (low + high)
     }
 
     /// Whether any of `from..to` weighs anything.

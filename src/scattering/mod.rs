@@ -4,14 +4,18 @@
 //! each zone shows of itself, and how much that weighs in the pixel. Each light then costs a pass over the
 //! zones ([`Shading::eval`]). Nothing here allocates, locks or fails.
 
+mod bounces;
 mod eval;
+mod exchange;
 mod flocks;
 mod footprint;
 mod relief;
 mod sample;
 mod shading;
 mod visibility;
+mod walk;
 
+pub use bounces::Bounces;
 pub use eval::Output;
 pub use sample::{Evaluated, Sample};
 pub use shading::{CrossFootprint, Shading};

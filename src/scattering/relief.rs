@@ -3,8 +3,11 @@
 use super::flocks::Flock;
 use super::footprint::{Densities, Weight};
 use super::visibility::{Across, Part, overlap, sweep};
+use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
 use crate::pattern::{MOST_CLASS_VERTICES, Palette};
+use core::f32::consts::FRAC_1_SQRT_2;
+use core::ops::Range;
 use glam::{Vec2, Vec3};
 
 /// Scratches that a shading point holds one by one: a short one whose both ends are hard takes seventeen.
@@ -35,6 +38,8 @@ pub(crate) struct Zones {
     /// Which of `finishes` the facet has.
     finish: [u8; MOST_SLOTS],
     finishes: [Finish; MOST_FINISHES],
+    /// How much of all light each finish reflects; known once it is asked for.
+    albedos: [Vec3; MOST_FINISHES],
     finish_count: u32,
     used: u32,
     pub densities: Densities,
@@ -43,6 +48,8 @@ pub(crate) struct Zones {
 /// A facet of a scratch, or the flat surface: what of the pixel it is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Zone {
+    /// Number of the facet in its scratch.
+    pub facet: usize,
     /// In the frame (across, along, up) of its scratch.
     pub normal: Vec3,
     /// Number of its finish.
@@ -66,8 +73,8 @@ pub(crate) struct Relief {
     /// The share of the pixel that the viewer sees it in (its zones' weights added up), before thinning.
     shown: f32,
     /// What of the pixel's plane the viewer sees through this scratch, from and to.
-    seen_flat: [f32; 2],
-    weight: Weight,
+    pub seen_flat: [f32; 2],
+    pub weight: Weight,
 }
 
 impl Zones {
@@ -80,6 +87,7 @@ impl Zones {
             weight: [0.0; MOST_SLOTS],
             finish: [0; MOST_SLOTS],
             finishes: [Finish::BLACK; MOST_FINISHES],
+            albedos: [Vec3::ZERO; MOST_FINISHES],
             finish_count: 1,
             used: 0,
             densities: Densities::EMPTY,
@@ -206,6 +214,7 @@ impl Zones {
                 self.part_weight(relief, slot, both, view_slope)
             };
             visit(&Zone {
+                facet: k,
                 normal: self.normal(slot),
                 finish: self.finish[slot],
                 seen: relief.gain * self.weight[slot],
@@ -242,6 +251,7 @@ impl Zones {
             let both = overlap(seen[k], lit);
             let slot = flock.slots[0] as usize + k;
             visit(&Zone {
+                facet: k,
                 normal: self.normal(slot),
                 finish: self.finish[slot],
                 seen: flock.shown * (to - from) * width(k) / shown.max(f32::MIN_POSITIVE),
@@ -258,6 +268,75 @@ impl Zones {
         let colour = |(finish, lobe): (&Finish, &f32)| finish.shared(pair) * *lobe;
         let lit = finishes.iter().zip(lobes).filter(|(_, lobe)| **lobe > 0.0);
         lit.map(colour).sum()
+    }
+
+    /// Finds out how much of all light each finish reflects: of what comes at 45 degrees.
+    pub(crate) fn measure_albedos(&mut self) {
+        let view = Vec3::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2);
+        let finishes = self.finishes.iter().take(self.finish_count as usize);
+        for (albedo, finish) in self.albedos.iter_mut().zip(finishes) {
+            *albedo = finish.reflectance(Vec3::Z, view);
+        }
+    }
+
+    /// The albedo of the finish of this number.
+    pub(crate) fn albedo_of(&self, number: u8) -> Vec3 {
+        self.albedos[number as usize]
+    }
+
+    /// A cross-section to walk in; `across` is its first axis.
+    pub(crate) fn ground(&self, slots: Range<usize>, across: Vec2) -> Ground<'_> {
+        Ground {
+            xs: &self.x[slots.clone()],
+            zs: &self.z[slots.clone()],
+            normal_x: &self.normal_x[slots.clone()],
+            finish: &self.finish[slots],
+            finishes: &self.finishes,
+            across,
+        }
+    }
+
+    /// Where on a facet of a relief the viewer looks, as a share of the facet; `u` is how far through all that is seen.
+    pub(crate) fn seen_place(&self, relief: &Relief, facet: usize, view_slope: f32, u: f32) -> f32 {
+        let k = relief.first as usize + facet;
+        let shown = |share: f32| {
+            let x = self.x[k] + share * (self.x[k + 1] - self.x[k]);
+            let z = self.z[k] + share * (self.z[k + 1] - self.z[k]);
+            x - z * view_slope
+        };
+        let [from, to] = unpacked(self.seen[k]);
+        let at = self
+            .densities
+            .place(&relief.weight, [shown(from), shown(to)], u);
+        let width = shown(1.0) - shown(0.0);
+        if width > 0.0 {
+            ((at - shown(0.0)) / width).clamp(from, to)
+        } else {
+            from
+        }
+    }
+
+    /// The flat surface that a relief shades from a light but not from the viewer: from and to, and its share of the
+    /// pixel.
+    pub(crate) fn shadow_of_relief(&self, relief: &Relief, pair: &Pair) -> ([f32; 2], f32) {
+        let slots = relief.slots();
+        let light = Across::of(pair.light);
+        let horizon = sweep(&self.x[slots.clone()], &self.z[slots], light, |_, _| {});
+        let shadow = beside(relief.seen_flat, light.flat_ends(horizon, relief.seen_flat));
+        (
+            shadow,
+            relief.gain * self.densities.taken(&relief.weight, shadow),
+        )
+    }
+
+    /// The same for a flock, whose cross-section is one unit wide.
+    pub(crate) fn shadow_of_flock(&self, flock: &Flock, pair: &Pair) -> ([f32; 2], f32) {
+        let (xs, zs) = self.class(flock.slots);
+        let [view, light] = [pair.view, pair.light].map(Across::of);
+        let ends = |w: Across, ends| w.flat_ends(sweep(xs, zs, w, |_, _| {}), ends);
+        let seen = ends(view, [-0.5, 0.5]);
+        let shadow = beside(seen, ends(light, seen));
+        (shadow, flock.share * (shadow[1] - shadow[0]))
     }
 
     /// The finish of this number.
@@ -311,6 +390,15 @@ impl Zones {
     }
 }
 
+/// What of `wider` lies to the left of `inner`, or else to the right.
+fn beside(inner: [f32; 2], wider: [f32; 2]) -> [f32; 2] {
+    if wider[0] < inner[0] {
+        [wider[0], inner[0]]
+    } else {
+        [inner[1], wider[1]]
+    }
+}
+
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -336,7 +424,7 @@ impl Relief {
     };
 
     /// Where its values are kept.
-    pub(crate) fn slots(&self) -> core::ops::Range<usize> {
+    pub(crate) fn slots(&self) -> Range<usize> {
         self.first as usize..(self.first + self.vertices) as usize
     }
 

@@ -1,6 +1,7 @@
 //! Lights chosen as often as they are reflected, and how often that is (section 4 of the model).
 
 use super::eval::{finite, rest};
+use super::flocks::Flock;
 use super::relief::{MOST_FINISHES, Relief, Zone};
 use super::shading::{LEAST_COS, Shading};
 use crate::brdf::{ACROSS_SURFACE, Pair};
@@ -29,12 +30,22 @@ pub struct Evaluated {
 }
 
 /// A zone that was chosen.
-struct Chosen {
-    finish: u8,
-    normal: Vec3,
+#[derive(Clone, Copy)]
+pub(super) struct Chosen {
+    pub finish: u8,
+    pub normal: Vec3,
     /// Its scratch's first axis.
-    across: Vec2,
-    scratch: bool,
+    pub across: Vec2,
+    pub scratch: Option<Held>,
+    /// Number of the facet in its scratch.
+    pub facet: usize,
+}
+
+/// A scratch that a shading point holds: by itself, or among others like it.
+#[derive(Clone, Copy)]
+pub(super) enum Held {
+    Relief(Relief),
+    Flock(Flock),
 }
 
 impl Shading {
@@ -47,23 +58,21 @@ impl Shading {
         }
         let u = u.map(|u| if u >= 0.0 { u.min(BELOW_ONE) } else { 0.0 });
         let zone = self.chosen(u[0]);
-        let along = Vec2::new(-zone.across.y, zone.across.x);
-        let v = self.view;
-        let view = Vec3::new(v.truncate().dot(zone.across), v.truncate().dot(along), v.z);
-        let light = self
-            .zones
-            .finish_of(zone.finish)
-            .sample([u[1], u[2]], zone.normal, view)?;
-        let flat = zone.across * light.x + along * light.y;
+        if self.has_all_bounces() {
+            return self.walked(&zone, u);
+        }
+        let view = zone.turned(self.view);
+        let finish = self.zones.finish_of(zone.finish);
+        let light = zone.turned_back(finish.sample([u[1], u[2]], zone.normal, view)?);
         // What goes down into the surface goes up instead.
-        let light = flat.extend(light.z.abs().max(LEAST_COS)).normalize();
+        let light = upwards(light * Vec3::new(1.0, 1.0, light.z.signum()));
         let Evaluated { brdf_cos, pdf } = self.eval_pdf(light.to_array());
         let weight = finite(Vec3::from(brdf_cos) / pdf);
         (pdf > 0.0).then(|| Sample {
             light: light.to_array(),
             weight: weight.to_array(),
             pdf,
-            scratch: zone.scratch,
+            scratch: zone.scratch.is_some(),
         })
     }
 
@@ -91,7 +100,11 @@ impl Shading {
             density += zone.seen * (pdf + below);
             seen += zone.seen;
         });
-        let brdf_cos = finite(self.zones.colour(&lobes, &pair)).to_array();
+        let mut brdf_cos = self.zones.colour(&lobes, &pair);
+        if self.has_all_bounces() {
+            brdf_cos += self.indirect(&pair);
+        }
+        let brdf_cos = finite(brdf_cos).to_array();
         let pdf = if seen > 0.0 { density / seen } else { 0.0 };
         let pdf = if pdf.is_finite() { pdf } else { 0.0 };
         Evaluated { brdf_cos, pdf }
@@ -107,7 +120,7 @@ impl Shading {
         let pair = Pair::new(self.view, self.view);
         for relief in reliefs {
             if left < relief.coverage() {
-                let mut picked = Picked::new(left, relief.across);
+                let mut picked = Picked::new(left, relief.across, Held::Relief(*relief));
                 let turned = pair.turned(relief.across);
                 self.zones
                     .each_of_relief(relief, &turned, |zone| picked.pass(zone));
@@ -117,7 +130,7 @@ impl Shading {
         }
         for flock in self.flocks.iter() {
             if left < flock.shown {
-                let mut picked = Picked::new(left, flock.across);
+                let mut picked = Picked::new(left, flock.across, Held::Flock(flock));
                 let turned = pair.turned(flock.across);
                 self.zones
                     .each_of_flock(&flock, &turned, |zone| picked.pass(zone));
@@ -136,10 +149,10 @@ struct Picked {
 }
 
 impl Picked {
-    fn new(left: f32, across: Vec2) -> Self {
+    fn new(left: f32, across: Vec2, scratch: Held) -> Self {
         let chosen = Chosen {
             across,
-            scratch: true,
+            scratch: Some(scratch),
             ..Chosen::FLAT
         };
         Self { left, chosen }
@@ -149,6 +162,7 @@ impl Picked {
         if self.left >= 0.0 && zone.seen > 0.0 {
             self.chosen.finish = zone.finish;
             self.chosen.normal = zone.normal;
+            self.chosen.facet = zone.facet;
         }
         self.left -= zone.seen;
     }
@@ -159,8 +173,32 @@ impl Chosen {
         finish: 0,
         normal: Vec3::Z,
         across: ACROSS_SURFACE,
-        scratch: false,
+        scratch: None,
+        facet: 0,
     };
+
+    /// A local direction in the scratch's frame.
+    fn turned(&self, w: Vec3) -> Vec3 {
+        let along = Vec2::new(-self.across.y, self.across.x);
+        let flat = w.truncate();
+        Vec3::new(flat.dot(self.across), flat.dot(along), w.z)
+    }
+
+    /// A direction of the scratch's frame in the local one.
+    pub(super) fn turned_back(&self, w: Vec3) -> Vec3 {
+        turned_back(self.across, w)
+    }
+}
+
+/// A direction of the frame of a scratch with this first axis in the local one.
+pub(super) fn turned_back(across: Vec2, w: Vec3) -> Vec3 {
+    let along = Vec2::new(-across.y, across.x);
+    (across * w.x + along * w.y).extend(w.z)
+}
+
+/// A direction above the surface, be it just.
+pub(super) fn upwards(w: Vec3) -> Vec3 {
+    w.truncate().extend(w.z.max(LEAST_COS)).normalize()
 }
 
 /// The largest number below 1.

@@ -61,6 +61,8 @@ pub struct Shading {
     coverage: f32,
     scratch_count: u32,
     relief_count: u32,
+    /// 1 if light is followed from zone to zone.
+    pub(super) all_bounces: u32,
     /// Zero for a point that reflects nothing.
     pub(super) view: Vec3,
     reliefs: [Relief; MOST_RELIEFS],
@@ -75,6 +77,7 @@ impl Default for Shading {
             coverage: 0.0,
             scratch_count: 0,
             relief_count: 0,
+            all_bounces: 0,
             view: Vec3::ZERO,
             reliefs: [Relief::NONE; MOST_RELIEFS],
             flocks: Flocks::NONE,
@@ -192,6 +195,7 @@ impl Shading {
         self.coverage = 0.0;
         self.scratch_count = 0;
         self.relief_count = 0;
+        self.all_bounces = 0;
         self.flocks.clear();
         self.zones.clear();
     }

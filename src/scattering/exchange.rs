@@ -1,0 +1,159 @@
+//! What the zones of a scratch reflect to one another, without chance: as if each scattered that light evenly.
+//!
+//! The geometry is constant along the scratch, so how much of one facet's light reaches another follows from
+//! lengths of strings pulled tight between their ends, over whatever stands in between (Hottel and Sarofim 1967,
+//! "Radiative transfer"). Exact where zones are Lambertian; glossy ones count with all that they reflect.
+
+use glam::{DVec2, Vec3};
+
+/// Vertices of a cross-section, with the flat surface on both sides.
+const MOST_CORNERS: usize = 102;
+
+/// The flat surface beside a scratch exchanges light with it as far as this many times its height.
+const FLAT_HEIGHTS: f64 = 20.0;
+
+/// Rounds of exchange, and the change that is too little for another one.
+const MOST_ROUNDS: u32 = 64;
+const SETTLED: f32 = 1e-5;
+
+/// The facets of a cross-section, between the flat surface on its left and that on its right.
+#[derive(Clone, Debug)]
+pub(crate) struct Exchange {
+    corners: [DVec2; MOST_CORNERS],
+    facets: usize,
+    /// Of each facet and each later one: the share of one's light that gets to the other, times the one's width.
+    shares: [[f32; MOST_CORNERS]; MOST_CORNERS],
+}
+
+impl Exchange {
+    /// Of a cross-section, and the flat ones: the first and the last.
+    pub(crate) const MOST_FACETS: usize = MOST_CORNERS - 1;
+
+    /// Of a cross-section of 2 to 100 vertices.
+    pub(crate) fn new(xs: &[f32], zs: &[f32]) -> Self {
+        let mut corners = [DVec2::ZERO; MOST_CORNERS];
+        let vertices = xs.len().min(MOST_CORNERS - 2);
+        let height = zs.iter().fold(0.0_f32, |most, z| most.max(z.abs()));
+        for (corner, (&x, &z)) in corners[1..=vertices].iter_mut().zip(xs.iter().zip(zs)) {
+            *corner = DVec2::new(x.into(), z.into());
+        }
+        let reach = DVec2::new(FLAT_HEIGHTS * f64::from(height), 0.0);
+        corners[0] = corners[1] - reach;
+        corners[vertices + 1] = corners[vertices] + reach;
+        let mut exchange = Self {
+            corners,
+            facets: vertices + 1,
+            shares: [[0.0; MOST_CORNERS]; MOST_CORNERS],
+        };
+        exchange.pull_strings();
+        exchange
+    }
+
+    /// Crossed strings less uncrossed ones, halved.
+    fn pull_strings(&mut self) {
+        let mut outer = self.strings_from(0);
+        for i in 0..self.facets {
+            let inner = self.strings_from(i + 1);
+            for j in i + 1..self.facets {
+                let crossed = outer[j] + inner[j + 1];
+                let share = 0.5 * (crossed - outer[j + 1] - inner[j]);
+                self.shares[i][j] = crate::single(share.max(0.0));
+            }
+            outer = inner;
+        }
+    }
+
+    /// Lengths of tight strings over the cross-section from one corner to each later one.
+    fn strings_from(&self, first: usize) -> [f64; MOST_CORNERS] {
+        let mut lengths = [0.0; MOST_CORNERS];
+        let mut touched = [first; MOST_CORNERS];
+        let mut count = 1;
+        for i in first + 1..=self.facets {
+            let corner = self.corners[i];
+            // What lies under the string from the corner before it to this one lets go of it.
+            while count > 1 {
+                let (a, b) = (
+                    self.corners[touched[count - 2]],
+                    self.corners[touched[count - 1]],
+                );
+                if (b - a).perp_dot(corner - a) < 0.0 {
+                    break;
+                }
+                count -= 1;
+            }
+            let last = touched[count - 1];
+            lengths[i] = lengths[last] + self.corners[last].distance(corner);
+            touched[count] = i;
+            count += 1;
+        }
+        lengths
+    }
+
+    /// What reaches each facet from all others, per area: `light` gives what falls on a facet from the light, per area,
+    /// and `albedo` how much of all light it reflects.
+    pub(crate) fn indirect(
+        &self,
+        light: impl Fn(usize) -> f32,
+        albedo: impl Fn(usize) -> Vec3,
+    ) -> [Vec3; Self::MOST_FACETS] {
+        let mut indirect = [Vec3::ZERO; Self::MOST_FACETS];
+        let sent = |indirect: &[Vec3; Self::MOST_FACETS], j: usize| {
+            albedo(j) * (Vec3::splat(light(j)) + indirect[j])
+        };
+        for _ in 0..MOST_ROUNDS {
+            let mut change = 0.0_f32;
+            for i in 0..self.facets {
+                let width = crate::single(self.corners[i].distance(self.corners[i + 1]));
+                let mut sum = Vec3::ZERO;
+                for j in 0..self.facets {
+                    let share = self.shares[i.min(j)][i.max(j)];
+                    if share > 0.0 {
+                        sum += share * sent(&indirect, j);
+                    }
+                }
+                let now = if width > 0.0 { sum / width } else { Vec3::ZERO };
+                change = change.max((now - indirect[i]).abs().max_element());
+                indirect[i] = now;
+            }
+            if change < SETTLED {
+                break;
+            }
+        }
+        indirect
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In a V of 90 degrees each wall gets 1 - sin 45° of the other's light (closed form), and a wall and the sky all.
+    #[test]
+    fn v_groove() {
+        let exchange = Exchange::new(&[-1.0, 0.0, 1.0], &[0.0, -1.0, 0.0]);
+        let wall = 2.0_f32.sqrt();
+        let share = exchange.shares[1][2] / wall;
+        assert!((share - (1.0 - 0.5_f32.sqrt())).abs() < 1e-6, "{share}");
+        assert_eq!(
+            exchange.shares[0][1], 0.0,
+            "the flat surface does not see into it"
+        );
+        assert_eq!(exchange.shares[0][3], 0.0, "nor itself");
+    }
+
+    /// A peak hides what is behind it: strings lie over it.
+    #[test]
+    fn peak_hides() {
+        let exchange = Exchange::new(&[-2.0, -1.0, 0.0, 1.0, 2.0], &[0.0, 1.0, 0.0, 1.0, 0.0]);
+        assert_eq!(exchange.shares[1][2], 0.0, "two sides of a peak");
+        assert_eq!(exchange.shares[1][4], 0.0, "outer sides of two peaks");
+        assert!(exchange.shares[2][3] > 0.0, "inner sides");
+        let beside = exchange.shares[0][1] / 2.0_f32.sqrt();
+        // A wall of 45 degrees on a plane without end: (1 - cos 45°) / 2 of what it sees.
+        let endless = 0.5 * (1.0 - 0.5_f32.sqrt());
+        assert!(
+            (beside - endless).abs() < 0.01,
+            "{beside} against {endless}"
+        );
+    }
+}
