@@ -3,6 +3,7 @@
 
 use super::{Direction, direction, single, tilted};
 use std::f64::consts::TAU;
+use std::sync::LazyLock;
 use striae::brdf::Facet;
 
 /// Cells of statistics, by distance from the mirrored view and by azimuth about it.
@@ -116,7 +117,7 @@ impl Seen {
 }
 
 /// Every white base BRDF on a few facets from a few sides.
-pub(crate) fn all_seen() -> Vec<(String, Seen)> {
+pub(crate) static ALL: LazyLock<Vec<(String, Seen, Integrals)>> = LazyLock::new(|| {
     let views = [
         [0.0, 0.0],
         [30.0, 0.0],
@@ -132,8 +133,10 @@ pub(crate) fn all_seen() -> Vec<(String, Seen)> {
             let tilt_deg = [0.0, 35.0, -60.0][i % 3];
             let name = format!("{brdf:?}, tilted {tilt_deg}, seen from {view_deg:?}");
             let facet = super::facet(brdf, tilt_deg);
-            all.push((name, Seen::new(facet, tilt_deg, view_deg)));
+            let seen = Seen::new(facet, tilt_deg, view_deg);
+            let integrals = seen.integrals();
+            all.push((name, seen, integrals));
         }
     }
     all
-}
+});

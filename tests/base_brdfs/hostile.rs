@@ -1,6 +1,6 @@
 //! Whatever the directions, base BRDFs answer with numbers.
 
-use super::{facet, white};
+use super::{facet, tilted, white};
 use rand::rngs::StdRng;
 use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};
@@ -59,9 +59,7 @@ fn odd_directions() {
                 let length: f32 = light.iter().map(|x| x * x).sum();
                 assert!((length - 1.0).abs() < 1e-5, "{brdf:?}: {light:?} sampled");
             }
-            let sin = tilt_deg.to_radians().sin() as f32;
-            let cos = tilt_deg.to_radians().cos() as f32;
-            let below = view[0] * sin + view[2] * cos < 0.0;
+            let below = tilted(-tilt_deg, view.map(f64::from))[2] < 0.0;
             if below && view.iter().all(|x| x.is_finite()) {
                 assert!(
                     value == 0.0 && pdf == 0.0 && facet.sample([0.5; 2], view).is_none(),

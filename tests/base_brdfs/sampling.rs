@@ -1,6 +1,6 @@
 //! Samples are distributed as their density says, and the density is that of all of them.
 
-use super::grid::{Seen, all_seen};
+use super::grid::{ALL, Seen};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -15,8 +15,7 @@ const SIGNIFICANCE: f64 = 0.01;
 const LEAST_EXPECTED: f64 = 8.0;
 
 /// How likely samples are to be as far from the density as these, or further.
-fn p_value(seen: &Seen, random: &mut StdRng) -> f64 {
-    let pdf = seen.integrals().pdf;
+fn p_value(seen: &Seen, pdf: &[f64], random: &mut StdRng) -> f64 {
     let mut counts = vec![0_u32; pdf.len()];
     let mut failed = 0_u32;
     for _ in 0..SAMPLES {
@@ -32,7 +31,7 @@ fn p_value(seen: &Seen, random: &mut StdRng) -> f64 {
     let failing = 1.0 - pdf.iter().sum::<f64>();
     let mut cells: Vec<(f64, f64)> = counts
         .iter()
-        .zip(&pdf)
+        .zip(pdf)
         .map(|(&count, &share)| (f64::from(count), expected(share)))
         .chain([(f64::from(failed), expected(failing).max(0.0))])
         .collect();
@@ -56,11 +55,10 @@ fn p_value(seen: &Seen, random: &mut StdRng) -> f64 {
 #[test]
 fn samples_follow_their_density() {
     let mut random = StdRng::seed_from_u64(11);
-    let all = all_seen();
-    let least = SIGNIFICANCE / all.len() as f64;
+    let least = SIGNIFICANCE / ALL.len() as f64;
     let mut failed = Vec::new();
-    for (name, seen) in &all {
-        let p = p_value(seen, &mut random);
+    for (name, seen, integrals) in &*ALL {
+        let p = p_value(seen, &integrals.pdf, &mut random);
         if p < least {
             failed.push(format!("{name}: p = {p:.1e}"));
         }
@@ -97,8 +95,7 @@ fn density_is_whole() {
     let mut random = StdRng::seed_from_u64(13);
     let (mut worst_pdf, mut worst_mean, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut failed = Vec::new();
-    for (name, seen) in &all_seen() {
-        let integrals = seen.integrals();
+    for (name, seen, integrals) in &*ALL {
         let (failing, mean, weight) = mean_weight(seen, &mut random);
         let pdf = (integrals.pdf.iter().sum::<f64>() + failing - 1.0).abs();
         let mean = (mean - integrals.albedo).abs();

@@ -66,6 +66,38 @@ static void expect_same(const float *normal, const float *flushed) {
     EXPECT(worst <= 1e-4);
 }
 
+/* Every kind, as sharp as it may be, on the surface and in the scratch. */
+static void all_base_brdfs(Plate *plate, float normal[VALUES], float flushed[VALUES]) {
+    protects("so do sharp base BRDFs of every kind");
+    const StriaeMaterial titanium = plate->titanium;
+    const float white[3] = {1.0f, 1.0f, 1.0f};
+    for (uint32_t kind = STRIAE_BRDF_KIND_LAMBERT; kind <= STRIAE_BRDF_KIND_ANISOTROPIC_GGX; kind++) {
+        StriaeBrdf *brdf = &plate->titanium.scratched;
+        if (kind == STRIAE_BRDF_KIND_LAMBERT) {
+            EXPECT_OK(striae_brdf_lambert(white, brdf));
+        } else if (kind == STRIAE_BRDF_KIND_OREN_NAYAR) {
+            EXPECT_OK(striae_brdf_oren_nayar(white, 1.0f, brdf));
+        } else if (kind == STRIAE_BRDF_KIND_PHONG) {
+            EXPECT_OK(striae_brdf_phong(white, 100000.0f, brdf));
+        } else {
+            EXPECT_OK(striae_brdf_schlick(white, 0.001f, brdf));
+            EXPECT(brdf->kind == STRIAE_BRDF_KIND_GGX && brdf->alpha_along == 0.001f);
+            brdf->kind = kind;
+            brdf->alpha_across = 0.5f;
+        }
+        EXPECT(brdf->kind == kind);
+        plate->titanium.surface = *brdf;
+        StriaePattern *pattern = plate_pattern(plate);
+        shade_all(pattern, 1.0, normal);
+        set_flush_to_zero(true);
+        shade_all(pattern, 1.0, flushed);
+        set_flush_to_zero(false);
+        expect_same(normal, flushed);
+        striae_pattern_release(pattern);
+    }
+    plate->titanium = titanium;
+}
+
 int main(void) {
     static float normal[VALUES], flushed[VALUES];
     Plate plate;
@@ -92,6 +124,8 @@ int main(void) {
     set_flush_to_zero(false);
     expect_same(normal, flushed);
     striae_pattern_release(pattern);
+
+    all_base_brdfs(&plate, normal, flushed);
     striae_tool_release(plate.tool);
     return expect_summary();
 }
