@@ -44,16 +44,20 @@ fn section(
         .collect()
 }
 
-/// A pixel three scratch widths wide.
-fn pixel(points: &[[f32; 2]]) -> CrossFootprint {
-    let margin_mm = points[points.len() - 1][0] - points[0][0];
-    CrossFootprint::Whole { margin_mm }
+fn width(points: &[[f32; 2]]) -> f32 {
+    points[points.len() - 1][0] - points[0][0]
 }
 
-fn shaded(points: &[[f32; 2]], brdf: &Brdf, view: [f32; 3], bounces: Bounces) -> Shading {
+fn shaded(
+    points: &[[f32; 2]],
+    brdf: &Brdf,
+    pixel: CrossFootprint,
+    view: [f32; 3],
+    bounces: Bounces,
+) -> Shading {
     let mut shading = Shading::default();
     shading
-        .shade_cross_section(points, brdf, brdf, pixel(points), view)
+        .shade_cross_section(points, brdf, brdf, pixel, view)
         .unwrap();
     shading.set_bounces(bounces);
     shading
@@ -66,7 +70,7 @@ struct Scene {
 
 impl Scene {
     fn new(points: &[[f32; 2]]) -> Self {
-        let wide = 1e3 * f64::from(points[points.len() - 1][0] - points[0][0]);
+        let wide = 1e3 * f64::from(width(points));
         let own = points.iter().map(|p| p.map(f64::from));
         let ends = |x: f64| std::iter::once([x, 0.0]);
         Self {
@@ -180,7 +184,7 @@ fn agrees_with_a_path_tracer() {
     let mut random = random(5);
     let brdf = lambert(single(ALBEDO));
     for (name, points) in grooves() {
-        let width = points[points.len() - 1][0] - points[0][0];
+        let width = width(&points);
         let window = [points[0][0] - width, points[points.len() - 1][0] + width].map(f64::from);
         let scene = Scene::new(&points);
         for (view, light) in pairs() {
@@ -191,7 +195,8 @@ fn agrees_with_a_path_tracer() {
                 &mut random,
             );
             let ours = [Bounces::One, Bounces::All].map(|bounces| {
-                let shading = shaded(&points, &brdf, view, bounces);
+                let pixel = CrossFootprint::Whole { margin_mm: width };
+                let shading = shaded(&points, &brdf, pixel, view, bounces);
                 f64::from(shading.eval(light, Output::BrdfCos)[0])
             });
             println!(
@@ -255,7 +260,11 @@ fn white_stays_white() {
                 for zenith in [0.0, 40.0, 75.0, 85.0] {
                     for view_azimuth in [0.0, 70.0, 180.0] {
                         let view = direction(zenith, view_azimuth);
-                        let shading = shaded(&points, &brdf, view, Bounces::All);
+                        let pixel = CrossFootprint::Box {
+                            center_mm: 0.0,
+                            extents_mm: [3.0 * f64::from(width(&points)), 0.01],
+                        };
+                        let shading = shaded(&points, &brdf, pixel, view, Bounces::All);
                         let (albedo, chance) = albedo(&shading, 4000, &mut random);
                         worst = worst.max((albedo - 1.0).abs());
                         if (albedo - 1.0).abs() > 2e-3 + 4.0 * chance {

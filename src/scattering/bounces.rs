@@ -1,7 +1,7 @@
 //! Light that meets more than one zone of a scratch on its way, switched on for a prepared point.
 
 use super::eval::{finite, rest};
-use super::exchange::Exchange;
+use super::exchange::{Exchange, FLATS};
 use super::relief::Zone;
 use super::sample::{Chosen, Held, Sample, turned_back, upwards};
 use super::shading::Shading;
@@ -45,28 +45,35 @@ impl Shading {
         let still = Pair::new(pair.view, pair.view);
         for relief in self.reliefs() {
             let across = relief.across;
-            let gathered = self.gathered(relief.slots(), pair.turned(across));
-            let mut add = |zone: &Zone| sum += zone.seen * gathered(zone);
+            let sent = self.sent(relief.slots(), &pair.turned(across));
+            let mut add = |zone: &Zone| sum += zone.seen * sent.by_zone(zone.facet);
             self.zones
                 .each_of_relief(relief, &still.turned(across), &mut add);
+            for (ends, flat) in sent.by_flats() {
+                sum += self.zones.flat_weight(relief, ends) * flat;
+            }
         }
         for flock in self.flocks.iter() {
             let across = flock.across;
-            let gathered = self.gathered(flock.range(), pair.turned(across));
+            let sent = self.sent(flock.range(), &pair.turned(across));
             // All that is seen, as lit from where it is looked at.
-            let mut add = |zone: &Zone| sum += zone.lit * gathered(zone);
+            let mut add = |zone: &Zone| sum += zone.lit * sent.by_zone(zone.facet);
             self.zones
                 .each_of_flock(&flock, &still.turned(across), &mut add);
+            for (ends, flat) in sent.by_flats() {
+                sum += flock.share * (ends[1] - ends[0]) * flat;
+            }
         }
         sum
     }
 
-    /// What each zone of a cross-section sends to the viewer of the light that it gets from the others.
-    fn gathered(&self, slots: Range<usize>, pair: Pair) -> impl Fn(&Zone) -> Vec3 {
-        let ground = self.zones.ground(slots, pair.view.truncate());
+    /// What each facet of a cross-section sends to the viewer of the light that it gets from others.
+    fn sent(&self, slots: Range<usize>, pair: &Pair) -> Sent {
+        let ground = self.zones.ground(slots, ACROSS_SURFACE);
         let exchange = Exchange::new(ground.xs, ground.zs);
         let facets = ground.xs.len() - 1;
-        let mut direct = [0.0; Exchange::MOST_FACETS];
+        // The flat surface, unless it is found to be a facet.
+        let mut direct = [pair.light.z; Exchange::MOST_FACETS];
         sweep(
             ground.xs,
             ground.zs,
@@ -75,19 +82,20 @@ impl Shading {
                 let x = ground.normal_x[k];
                 let up = (1.0 - x * x).max(0.0).sqrt();
                 let cos = x * pair.light.x + up * pair.light.z;
-                direct[k + 1] = (to - from).max(0.0) * cos.max(0.0);
+                direct[FLATS + k] = (to - from).max(0.0) * cos.max(0.0);
             },
         );
-        direct[0] = pair.light.z;
-        direct[facets + 1] = pair.light.z;
-        let albedo = |i: usize| match i.checked_sub(1) {
-            Some(k) if k < facets => self.zones.albedo_of(ground.finish[k]),
-            _ => self.zones.albedo_of(0),
+        let albedo = |i: usize| {
+            let facet = i.checked_sub(FLATS).filter(|k| *k < facets);
+            self.zones.albedo_of(facet.map_or(0, |k| ground.finish[k]))
         };
         let indirect = exchange.indirect(|i| direct[i], albedo);
-        let sent: [Vec3; Exchange::MOST_FACETS] =
-            core::array::from_fn(|i| albedo(i) * indirect[i] * FRAC_1_PI);
-        move |zone: &Zone| sent[zone.facet + 1]
+        let radiance = core::array::from_fn(|i| albedo(i) * indirect[i] * FRAC_1_PI);
+        Sent {
+            radiance,
+            exchange,
+            facets,
+        }
     }
 
     /// Follows light back from a zone.
@@ -178,6 +186,26 @@ impl Shading {
             }
         }
         Some((light, weight))
+    }
+}
+
+/// Radiance of the facets of a cross-section and of the flat surface beside it.
+struct Sent {
+    radiance: [Vec3; Exchange::MOST_FACETS],
+    exchange: Exchange,
+    facets: usize,
+}
+
+impl Sent {
+    fn by_zone(&self, facet: usize) -> Vec3 {
+        self.radiance[FLATS + facet]
+    }
+
+    /// From where to where each flat facet reaches, and its radiance.
+    fn by_flats(&self) -> impl Iterator<Item = ([f32; 2], Vec3)> {
+        let right = FLATS + self.facets;
+        let all = (0..FLATS).chain(right..right + FLATS);
+        all.map(|i| (self.exchange.ends(i), self.radiance[i]))
     }
 }
 

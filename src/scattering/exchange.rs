@@ -6,11 +6,15 @@
 
 use glam::{DVec2, Vec3};
 
-/// Vertices of a cross-section, with the flat surface on both sides.
-const MOST_CORNERS: usize = 102;
+/// The flat surface beside a scratch exchanges light with it as far as the last of these many times its height; it is
+/// cut there, for less and less of that light gets farther.
+const FLAT_HEIGHTS: [f64; 4] = [1.0, 3.0, 8.0, 20.0];
 
-/// The flat surface beside a scratch exchanges light with it as far as this many times its height.
-const FLAT_HEIGHTS: f64 = 20.0;
+/// Flat facets on each side.
+pub(crate) const FLATS: usize = FLAT_HEIGHTS.len();
+
+/// Vertices of a cross-section, with the flat surface on both sides.
+const MOST_CORNERS: usize = 100 + 2 * FLATS;
 
 /// Rounds of exchange, and the change that is too little for another one.
 const MOST_ROUNDS: u32 = 64;
@@ -26,23 +30,31 @@ pub(crate) struct Exchange {
 }
 
 impl Exchange {
-    /// Of a cross-section, and the flat ones: the first and the last.
     pub(crate) const MOST_FACETS: usize = MOST_CORNERS - 1;
+
+    /// From where to where a facet reaches across.
+    pub(crate) fn ends(&self, facet: usize) -> [f32; 2] {
+        [facet, facet + 1].map(|corner| crate::single(self.corners[corner].x))
+    }
 
     /// Of a cross-section of 2 to 100 vertices.
     pub(crate) fn new(xs: &[f32], zs: &[f32]) -> Self {
         let mut corners = [DVec2::ZERO; MOST_CORNERS];
-        let vertices = xs.len().min(MOST_CORNERS - 2);
-        let height = zs.iter().fold(0.0_f32, |most, z| most.max(z.abs()));
-        for (corner, (&x, &z)) in corners[1..=vertices].iter_mut().zip(xs.iter().zip(zs)) {
+        let vertices = xs.len().min(MOST_CORNERS - 2 * FLATS);
+        let height = f64::from(zs.iter().fold(0.0_f32, |most, z| most.max(z.abs())));
+        let inner = &mut corners[FLATS..FLATS + vertices];
+        for (corner, (&x, &z)) in inner.iter_mut().zip(xs.iter().zip(zs)) {
             *corner = DVec2::new(x.into(), z.into());
         }
-        let reach = DVec2::new(FLAT_HEIGHTS * f64::from(height), 0.0);
-        corners[0] = corners[1] - reach;
-        corners[vertices + 1] = corners[vertices] + reach;
+        let (first, last) = (corners[FLATS], corners[FLATS + vertices - 1]);
+        for (i, heights) in FLAT_HEIGHTS.into_iter().enumerate() {
+            let reach = DVec2::new(heights * height, 0.0);
+            corners[FLATS - 1 - i] = first - reach;
+            corners[FLATS + vertices + i] = last + reach;
+        }
         let mut exchange = Self {
             corners,
-            facets: vertices + 1,
+            facets: vertices + 2 * FLATS - 1,
             shares: [[0.0; MOST_CORNERS]; MOST_CORNERS],
         };
         exchange.pull_strings();
@@ -145,10 +157,12 @@ mod tests {
     #[test]
     fn peak_hides() {
         let exchange = Exchange::new(&[-2.0, -1.0, 0.0, 1.0, 2.0], &[0.0, 1.0, 0.0, 1.0, 0.0]);
-        assert_eq!(exchange.shares[1][2], 0.0, "two sides of a peak");
-        assert_eq!(exchange.shares[1][4], 0.0, "outer sides of two peaks");
-        assert!(exchange.shares[2][3] > 0.0, "inner sides");
-        let beside = exchange.shares[0][1] / 2.0_f32.sqrt();
+        let share = |i: usize, j: usize| exchange.shares[FLATS + i][FLATS + j];
+        assert!(share(0, 1) < 1e-9, "two sides of a peak");
+        assert!(share(0, 3) < 1e-9, "outer sides of two peaks");
+        assert!(share(1, 2) > 0.0, "inner sides");
+        let flats = exchange.shares[..FLATS].iter();
+        let beside = flats.map(|shares| shares[FLATS]).sum::<f32>() / 2.0_f32.sqrt();
         // A wall of 45 degrees on a plane without end: (1 - cos 45°) / 2 of what it sees.
         let endless = 0.5 * (1.0 - 0.5_f32.sqrt());
         assert!(

@@ -316,6 +316,13 @@ impl Zones {
         }
     }
 
+    /// The share of the pixel in which the viewer sees the flat surface between two places beside a relief.
+    pub(crate) fn flat_weight(&self, relief: &Relief, [from, to]: [f32; 2]) -> f32 {
+        let [left, right] = relief.seen_flat;
+        let weight = |part| self.densities.taken(&relief.weight, part);
+        relief.gain * (weight([from, to.min(left)]) + weight([from.max(right), to]))
+    }
+
     /// The flat surface that a relief shades from a light but not from the viewer: from and to, and its share of the
     /// pixel.
     pub(crate) fn shadow_of_relief(&self, relief: &Relief, pair: &Pair) -> ([f32; 2], f32) {
