@@ -156,8 +156,15 @@ impl Finish {
     }
 
     /// A light for a zone, by two numbers from 0 to 1: microfacets as often as they are seen, Phong's lobe as often as it
-    /// is bright, what is diffuse by the cosine (rough at a grazing view: evenly). Nothing where view or light is below the zone.
+    /// is bright, what is diffuse by the cosine (rough at a grazing view: evenly). Nothing where view or light is below
+    /// the zone.
     pub(crate) fn sample(&self, u: [f32; 2], normal: Vec3, view: Vec3) -> Option<Vec3> {
+        let light = self.sample_all(u, normal, view)?;
+        is_above(onto_zone(normal, light)).then_some(light)
+    }
+
+    /// The same, also where the light falls below the zone, from where it reflects nothing.
+    pub(crate) fn sample_all(&self, u: [f32; 2], normal: Vec3, view: Vec3) -> Option<Vec3> {
         let view = onto_zone(normal, view);
         if !is_above(view) {
             return None;
@@ -170,22 +177,31 @@ impl Finish {
             OREN_NAYAR => oren_nayar::sample(self.second, u, view),
             _ => lambert::sample(u),
         };
-        (is_above(light) && light.is_finite()).then(|| off_zone(normal, light))
+        light.is_finite().then(|| off_zone(normal, light))
     }
 
     /// The density of [`Self::sample`] at the pair's light, per steradian; 0 unless both directions are above the
     /// zone. Adds up to 1 less the share of samples that fail.
     pub(crate) fn pdf(&self, normal: Vec3, pair: &Pair) -> f32 {
+        if !is_above(onto_zone(normal, pair.light)) {
+            return 0.0;
+        }
+        self.pdf_all(normal, pair)
+    }
+
+    /// The density of [`Self::sample_all`]: adds up to 1 over the whole sphere.
+    pub(crate) fn pdf_all(&self, normal: Vec3, pair: &Pair) -> f32 {
         let pair = pair.tilted(normal);
-        if !is_above(pair.light) || !is_above(pair.view) {
+        if !is_above(pair.view) {
             return 0.0;
         }
         match self.lobe {
-            GGX | ANISOTROPIC_GGX => ggx::pdf(self.alphas(), &pair),
+            GGX | ANISOTROPIC_GGX if is_above(pair.half) => ggx::pdf(self.alphas(), &pair),
             BECKMANN => beckmann::pdf(self.alpha, &pair),
             PHONG => phong::pdf(self.second, &pair),
-            OREN_NAYAR => oren_nayar::pdf(self.second, &pair),
-            _ => lambert::pdf(pair.light.z),
+            OREN_NAYAR if is_above(pair.light) => oren_nayar::pdf(self.second, &pair),
+            LAMBERT if is_above(pair.light) => lambert::pdf(pair.light.z),
+            _ => 0.0,
         }
     }
 

@@ -63,7 +63,7 @@ impl Shading {
         }
         let view = zone.turned(self.view);
         let finish = self.zones.finish_of(zone.finish);
-        let light = zone.turned_back(finish.sample([u[1], u[2]], zone.normal, view)?);
+        let light = zone.turned_back(finish.sample_all([u[1], u[2]], zone.normal, view)?);
         // What goes down into the surface goes up instead.
         let light = upwards(light * Vec3::new(1.0, 1.0, light.z.signum()));
         let Evaluated { brdf_cos, pdf } = self.eval_pdf(light.to_array());
@@ -95,10 +95,12 @@ impl Shading {
             if zone.lit > 0.0 {
                 lobes[zone.finish as usize] += zone.lit * finish.lobe_cos(zone.normal, turned);
             }
-            let pdf = finish.pdf(zone.normal, turned);
-            let below = finish.pdf(zone.normal, &mirrored.turned(across));
-            density += zone.seen * (pdf + below);
-            seen += zone.seen;
+            if zone.seen > 0.0 {
+                let above = finish.pdf_all(zone.normal, turned);
+                let below = finish.pdf_all(zone.normal, &mirrored.turned(across));
+                density += zone.seen * (above + below);
+                seen += zone.seen;
+            }
         });
         let mut brdf_cos = self.zones.colour(&lobes, &pair);
         if self.has_all_bounces() {
