@@ -17,6 +17,9 @@ use rayon::prelude::*;
 /// Scratches that are prepared at once.
 pub(crate) const PORTION: usize = 16_384;
 
+/// Scratches that one thread prepares at once.
+const BATCH: usize = 256;
+
 /// Collects scratches. Each is checked as it is added.
 #[derive(Clone, Debug)]
 pub struct PatternBuilder {
@@ -40,11 +43,22 @@ pub(super) struct Added {
     pub is_own: bool,
 }
 
-/// What can be made of a scratch without knowing the others.
+/// What can be made of a scratch without knowing the others; its pieces lie with those of its batch.
 struct Prepared {
-    chains: Chains,
     own: Option<Track>,
+    /// How force runs along it, and its largest value.
+    course: (Vec<[f32; 2]>, f32),
     length: f64,
+    is_closed: bool,
+    points: usize,
+    pieces: usize,
+}
+
+/// Scratches in their order that one thread prepared, up to the first that is refused.
+struct Batch {
+    chains: Chains,
+    prepared: Vec<Prepared>,
+    refused: Option<Error>,
 }
 
 impl PatternBuilder {
@@ -89,8 +103,11 @@ impl PatternBuilder {
 
     /// Adds a scratch. If it is refused, the builder is as it was.
     pub fn add(&mut self, scratch: &Scratch<'_>) -> Result<()> {
-        let prepared = self.prepare(scratch)?;
-        self.keep(scratch, prepared)
+        let one = core::slice::from_ref(scratch);
+        self.all_or_none(|builder| {
+            let batch = builder.prepare_all(one);
+            builder.keep_all(one, batch).map_err(|(_, error)| error)
+        })
     }
 
     /// Adds scratches in their order, prepared on all cores: the result is that of adding one by one. If one is
@@ -107,10 +124,12 @@ impl PatternBuilder {
 
     /// Adds scratches, the first of which has this number in what its author states.
     pub(crate) fn add_portion(&mut self, scratches: &[Scratch<'_>], first: usize) -> Result<()> {
-        let prepared: Vec<_> = scratches.par_iter().map(|one| self.prepare(one)).collect();
-        for (i, (scratch, prepared)) in scratches.iter().zip(prepared).enumerate() {
-            let kept = prepared.and_then(|prepared| self.keep(scratch, prepared));
-            kept.map_err(|error| error.within("scratches", first + i))?;
+        let batches = scratches.par_chunks(BATCH);
+        let prepared: Vec<Batch> = batches.map(|batch| self.prepare_all(batch)).collect();
+        for (i, (scratches, batch)) in scratches.chunks(BATCH).zip(prepared).enumerate() {
+            let number = |own: usize| first + i * BATCH + own;
+            let kept = self.keep_all(scratches, batch);
+            kept.map_err(|(own, error)| error.within("scratches", number(own)))?;
         }
         Ok(())
     }
@@ -132,13 +151,34 @@ impl PatternBuilder {
         added
     }
 
-    fn prepare(&self, scratch: &Scratch<'_>) -> Result<Prepared> {
+    fn prepare_all(&self, scratches: &[Scratch<'_>]) -> Batch {
+        let mut batch = Batch {
+            chains: Chains::default(),
+            prepared: Vec::with_capacity(scratches.len()),
+            refused: None,
+        };
+        for scratch in scratches {
+            let own = number(batch.prepared.len());
+            match self.prepare(scratch, &mut batch.chains, own) {
+                Ok(prepared) => batch.prepared.push(prepared),
+                Err(error) => {
+                    batch.refused = Some(error);
+                    break;
+                }
+            }
+        }
+        batch
+    }
+
+    fn prepare(&self, scratch: &Scratch<'_>, chains: &mut Chains, own: u32) -> Result<Prepared> {
         let curves = scratch.path.curves(self.units_per_uv)?;
-        let length = curves.iter().map(|curve| curve.length).sum();
-        let chains = Chains::of_path(&curves, self.units_per_uv);
         check_keys(scratch.keys)?;
         let material = scratch.material.unwrap_or(&self.material);
         material.check()?;
+        let length = curves.iter().map(|curve| curve.length).sum();
+        let points = chains.points.len();
+        let pieces = chains.push_path(&curves, self.units_per_uv, own);
+        let points = pieces.points.len() - points;
         let hardness = self.hardness.as_ref();
         let alike = |pair: &[Key]| pair[0].orientation == pair[1].orientation;
         let varies = (hardness.is_some() && scratch.material.is_none())
@@ -147,26 +187,57 @@ impl PatternBuilder {
         let own = varies.then(|| {
             let length_mm = length * self.mm_per_scene_unit;
             let ground = Ground {
-                along: Along::new(chains.curves(), self.units_per_uv, length_mm),
+                along: Along::new(pieces, self.units_per_uv, length_mm),
                 surface: &self.material,
                 hardness,
-                is_closed: chains.is_closed(),
+                is_closed: pieces.is_closed(),
             };
             Track::along(scratch, &ground)
         });
+        let course = match varies {
+            true => (course::BY_ARC_LENGTH.to_vec(), 1.0),
+            false => course::of_keys(scratch.keys, scratch.depth_law),
+        };
         Ok(Prepared {
             own: own.transpose()?,
-            chains,
+            course,
             length,
+            is_closed: pieces.is_closed(),
+            points,
+            pieces: pieces.pieces.len(),
         })
     }
 
-    fn keep(&mut self, scratch: &Scratch<'_>, prepared: Prepared) -> Result<()> {
-        let Prepared {
-            chains,
-            own,
-            length,
-        } = prepared;
+    /// Keeps a batch up to the first scratch that is refused, of which it tells the number in the batch.
+    fn keep_all(
+        &mut self,
+        scratches: &[Scratch<'_>],
+        batch: Batch,
+    ) -> core::result::Result<(), (usize, Error)> {
+        let first = self.scratches.len();
+        let (mut points, mut pieces) = (self.chains.points.len(), self.chains.pieces.len());
+        let count = batch.prepared.len();
+        for (i, (scratch, prepared)) in scratches.iter().zip(batch.prepared).enumerate() {
+            points += prepared.points;
+            let first_piece = pieces;
+            pieces += prepared.pieces;
+            self.keep(scratch, prepared, points, first_piece)
+                .map_err(|error| (i, error))?;
+        }
+        if let Some(error) = batch.refused {
+            return Err((count, error));
+        }
+        self.chains.append(&batch.chains, number(first));
+        Ok(())
+    }
+
+    fn keep(
+        &mut self,
+        scratch: &Scratch<'_>,
+        prepared: Prepared,
+        points: usize,
+        first_piece: usize,
+    ) -> Result<()> {
         let most = f64::from(u32::MAX);
         in_range(
             "scratch_count",
@@ -174,38 +245,29 @@ impl PatternBuilder {
             0.0,
             most,
         )?;
-        let points = self.chains.points.len() + chains.points.len();
         if points > Piece::MOST_POINTS {
             let accepted = "at most 1073741823 control points in all";
             return Err(Error::count("point_count", points, accepted));
         }
-        let is_own = own.is_some();
-        let (track, knots, scale) = match own {
+        let is_own = prepared.own.is_some();
+        let track = match prepared.own {
             Some(track) => {
                 self.own.push(track);
-                (
-                    number(self.own.len() - 1),
-                    course::BY_ARC_LENGTH.to_vec(),
-                    1.0,
-                )
+                number(self.own.len() - 1)
             }
-            None => {
-                let track = self
-                    .kinds
-                    .place(scratch, chains.is_closed(), &self.material)?;
-                let (knots, scale) = course::of_keys(scratch.keys, scratch.depth_law);
-                (track, knots, scale)
-            }
+            None => self
+                .kinds
+                .place(scratch, prepared.is_closed, &self.material)?,
         };
+        let (knots, scale) = prepared.course;
         let strand = Strand {
-            first_piece: number(self.chains.pieces.len()),
+            first_piece: number(first_piece),
             track,
             first_knot: self.courses.place(&knots),
             knot_count: number(knots.len()),
             scale,
-            length: single(length),
+            length: single(prepared.length),
         };
-        self.chains.append(&chains, number(self.scratches.len()));
         self.scratches.push(Added { strand, is_own });
         Ok(())
     }

@@ -71,15 +71,34 @@ pub(crate) fn speed(control: &[DVec2; 4], t: f64) -> f64 {
     derivatives(control, t).0.length()
 }
 
-/// Share of the piece's arc length at parameter t: cubic Hermite through the speeds at both ends.
-pub(crate) fn length_share(control: &[DVec2; 4], t: f64) -> f64 {
-    let speeds = [0.0, 0.5, 1.0].map(|t| derivatives(control, t).0.length());
-    let length = (speeds[0] + 4.0 * speeds[1] + speeds[2]) / 6.0;
-    if length <= 0.0 {
-        return t;
+/// How arc length runs along a piece: cubic Hermite through the speeds at both ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LengthShares {
+    /// Speeds at both ends, as shares of the mean.
+    speeds: [f64; 2],
+}
+
+impl LengthShares {
+    pub(crate) fn of(control: &[DVec2; 4]) -> Self {
+        let [from, middle, to] = [0.0, 0.5, 1.0].map(|t| speed(control, t));
+        let length = (from + 4.0 * middle + to) / 6.0;
+        let speeds = match length > 0.0 {
+            true => [from / length, to / length],
+            false => [1.0; 2],
+        };
+        Self { speeds }
     }
-    let (from, to) = (speeds[0] / length, speeds[2] / length);
-    let (t2, t3) = (t * t, t * t * t);
-    let share = (t3 - 2.0 * t2 + t) * from + (3.0 * t2 - 2.0 * t3) + (t3 - t2) * to;
-    share.clamp(0.0, 1.0)
+
+    /// Share of the piece's arc length at parameter t.
+    pub(crate) fn at(self, t: f64) -> f64 {
+        let [from, to] = self.speeds;
+        let (t2, t3) = (t * t, t * t * t);
+        let share = (t3 - 2.0 * t2 + t) * from + (3.0 * t2 - 2.0 * t3) + (t3 - t2) * to;
+        share.clamp(0.0, 1.0)
+    }
+}
+
+/// Share of the piece's arc length at parameter t.
+pub(crate) fn length_share(control: &[DVec2; 4], t: f64) -> f64 {
+    LengthShares::of(control).at(t)
 }

@@ -53,12 +53,14 @@ pub(crate) fn value(key: &Key, law: DepthLaw) -> f64 {
 impl Courses {
     /// The number of the first of these knots among all.
     pub(crate) fn place(&mut self, knots: &[[f32; 2]]) -> u32 {
-        let key: Vec<[u32; 2]> = knots.iter().map(|knot| knot.map(f32::to_bits)).collect();
-        let all = &mut self.knots;
-        *self.known.entry(key).or_insert_with(|| {
-            all.extend(knots);
-            u32::try_from(all.len() - knots.len()).unwrap_or(u32::MAX)
-        })
+        let key: &[[u32; 2]] = bytemuck::cast_slice(knots);
+        if let Some(&known) = self.known.get(key) {
+            return known;
+        }
+        let place = u32::try_from(self.knots.len()).unwrap_or(u32::MAX);
+        self.knots.extend(knots);
+        self.known.insert(key.to_vec(), place);
+        place
     }
 
     pub(crate) fn knots(&self) -> &[[f32; 2]] {

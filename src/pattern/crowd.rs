@@ -57,20 +57,16 @@ impl Crowd {
         travel: DVec2,
         area_mm2: f32,
     ) {
-        let angle = travel.y.atan2(travel.x).rem_euclid(TAU);
-        for &(class, share) in classes
-            .iter()
-            .filter(|(class, share)| *share > 0.0 && *class < MOST_CLASSES)
-        {
-            let angle = if palette.is_symmetric(class) {
-                angle % PI
-            } else {
-                angle
-            };
-            let (direction, place) = step(angle);
-            let sum = &mut self.sums[class * DIRECTIONS + direction];
-            sum[0] += share * area_mm2;
-            sum[1] += share * area_mm2 * place;
+        for (key, share, place) in keys(palette, classes, travel) {
+            self.add_to(key, share * area_mm2, share * area_mm2 * place);
+        }
+    }
+
+    /// Adds area of one key, and its moment: area times the place within the direction's step.
+    pub(super) fn add_to(&mut self, key: usize, area_mm2: f32, moment: f32) {
+        if let Some(sum) = self.sums.get_mut(key) {
+            sum[0] += area_mm2;
+            sum[1] += moment;
         }
     }
 
@@ -78,10 +74,7 @@ impl Crowd {
     pub(crate) fn add_packed(&mut self, entries: &[Packed], share: f32) {
         for entry in entries {
             let (key, place, area_mm2) = entry.unpacked();
-            if let Some(sum) = self.sums.get_mut(key) {
-                sum[0] += share * area_mm2;
-                sum[1] += share * area_mm2 * place;
-            }
+            self.add_to(key, share * area_mm2, share * area_mm2 * place);
         }
     }
 
@@ -112,10 +105,30 @@ impl Crowd {
     }
 }
 
+/// Keys of what travels along `travel` (any length) in these classes, the share of each, and the place within the
+/// direction's step (-1/2 to 1/2).
+pub(super) fn keys(
+    palette: &Palette,
+    classes: &[(usize, f32)],
+    travel: DVec2,
+) -> impl Iterator<Item = (usize, f32, f32)> {
+    let turned = travel.y.atan2(travel.x);
+    let half = if turned < 0.0 { turned + PI } else { turned };
+    let whole = if turned < 0.0 { turned + TAU } else { turned };
+    let held = classes
+        .iter()
+        .filter(|(class, share)| *share > 0.0 && *class < MOST_CLASSES);
+    held.map(move |&(class, share)| {
+        let is_symmetric = palette.is_symmetric(class);
+        let (direction, place) = step(if is_symmetric { half } else { whole });
+        (class * DIRECTIONS + direction, share, place)
+    })
+}
+
 /// The direction that an angle in 0 to 2 pi falls into, and its place within that step.
 fn step(angle: f64) -> (usize, f32) {
     let at = angle / STEP_RAD;
-    let direction = (0..DIRECTIONS).nth(floor(at)).unwrap_or(DIRECTIONS - 1);
+    let direction = floor(at).min(DIRECTIONS - 1);
     (direction, crate::single(at - direction as f64 - 0.5))
 }
 

@@ -3,8 +3,9 @@
 //! Each cell is divided again, as finely as its own pieces ask for, so that a crowded corner costs no more
 //! than an empty plain (as the two-level grids of Kalojanov et al. 2011 for ray tracing).
 
-use super::pieces::{Curves, bounds, sagitta};
-use super::raster::{Raster, cell_number};
+use super::lists::Lists;
+use super::pieces::Curves;
+use super::raster::{Extents, Raster, cell_number};
 use super::store::Store;
 use bytemuck::{Pod, Zeroable};
 use core::ops::ControlFlow;
@@ -15,7 +16,16 @@ use rayon::prelude::*;
 const PER_CELL: f64 = 64.0;
 
 /// Pieces that a part of a cell should hold.
-const PER_PART: f64 = 2.0;
+const PER_PART: f64 = 4.0;
+
+/// Cells that a piece may cross, on average: long pieces ask for larger cells.
+const MOST_CELLS_PER_PIECE: f64 = 32.0;
+
+/// Parts that a piece may cross, on average, for what its listing costs.
+const MOST_PARTS_PER_PIECE: f64 = 128.0;
+
+/// Where pieces cross more cells than this, on average, smaller cells would not hold fewer of them.
+const LONG: f64 = 8.0;
 
 /// A cell that holds more than this many times its share (as seen by an average piece) asks for smaller cells.
 const CROWDED: f64 = 4.0;
@@ -42,38 +52,37 @@ pub(super) struct Cell {
 }
 
 impl Grid {
-    /// The grid, and the pieces of each of its cells.
-    pub(crate) fn new(curves: Curves<'_>) -> (Self, CellPieces) {
+    pub(crate) fn new(curves: Curves<'_>) -> Self {
         let count = curves.pieces.len();
-        let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-        let wider = |a: [DVec2; 2], b: [DVec2; 2]| [a[0].min(b[0]), a[1].max(b[1])];
-        let all = (0..count).into_par_iter().map(|i| curves.bounds(i));
-        let [low, high] = all.reduce(|| empty, wider);
-        if count == 0 {
-            return Default::default();
-        }
-        // Square cells, slightly larger than the pattern; a pattern of one line is a strip.
-        let longest = (high - low).max_element();
-        let size = (high - low).max(DVec2::splat(longest / PER_CELL)) * (1.0 + 1e-9);
+        let Some(extents) = Extents::of(count, |i| curves.bounds(i)) else {
+            return Self::default();
+        };
         let mut per_cell = PER_CELL;
         loop {
-            let raster = Raster::over(low, size, count as f64 / per_cell);
-            let pairs = pairs(raster, curves);
-            let crowded = mean_in_cell(&pairs) > CROWDED * PER_CELL;
+            let raster = extents.raster(per_cell, MOST_CELLS_PER_PIECE);
+            let cells = Lists::new(raster.count(), count, |piece, sink| {
+                let listed = |cell| sink.put(cell, number(piece));
+                raster.for_each_cell(&curves.control(piece), listed);
+            });
+            let crowded = mean_in_cell(raster, &cells) > CROWDED * PER_CELL
+                && (cells.len() as f64) < LONG * count as f64;
             if crowded && per_cell > 4.0 && raster.columns.max(raster.rows) < 4096 {
                 per_cell *= 0.25;
             } else {
-                let cells = CellPieces::new(raster, pairs);
-                return (Self::of_cells(curves, raster, &cells), cells);
+                return Self::of_cells(curves, raster, &cells);
             }
         }
     }
 
-    fn of_cells(curves: Curves<'_>, raster: Raster, cells: &CellPieces) -> Self {
+    fn of_cells(curves: Curves<'_>, raster: Raster, cells: &Lists<u32>) -> Self {
         let count = raster.count();
+        let per_piece = cells.len() as f64 / curves.pieces.len() as f64;
+        let most = (MOST_PARTS_PER_PIECE / per_piece).clamp(1.0, MOST_PARTS);
         let parts: Vec<Parts> = (0..count)
             .into_par_iter()
-            .map(|cell| Parts::of(curves, raster.cell(cell), cells.pairs(cell)))
+            .map_init(Vec::new, |listed, cell| {
+                Parts::of(curves, raster.cell(cell), cells.of(cell), most, listed)
+            })
             .collect();
         let mut grid = Self {
             raster,
@@ -141,59 +150,6 @@ impl Grid {
             + size_of_val(&self.entries[..])
     }
 
-    /// As [`Self::query`], for what lies within `reach` of a curve.
-    pub(crate) fn query_along(
-        &self,
-        control: &[DVec2; 4],
-        reach: DVec2,
-        mut visit: impl FnMut(u32) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        let [low, high] = bounds(control);
-        let [low, high] = [low - reach, high + reach];
-        let sagitta = sagitta(control) + reach.max_element();
-        let Some((columns, rows)) = self.raster.touched(low, high) else {
-            return ControlFlow::Continue(());
-        };
-        let (starts, entries) = (&*self.starts, &*self.entries);
-        for row in rows {
-            for column in columns.clone() {
-                let number = (row * self.raster.columns + column) as usize;
-                let Some(cell) = self.cell(number) else {
-                    continue;
-                };
-                let parts = self.raster.cell(number).parted(cell.side);
-                let Some((_, rows)) = parts.touched(low, high) else {
-                    continue;
-                };
-                for row in rows {
-                    for column in parts.columns_of(control, [low, high], sagitta, row) {
-                        let part = cell.first + row * cell.side + column;
-                        for &piece in list(starts, entries, part as usize) {
-                            visit(piece)?;
-                        }
-                    }
-                }
-            }
-        }
-        ControlFlow::Continue(())
-    }
-
-    /// All pieces, cell by cell of where they begin.
-    pub(crate) fn in_order(&self, curves: Curves<'_>) -> Vec<usize> {
-        let place = |number: u32| {
-            let [start, ..] = curves.control(number as usize);
-            let [column, row] =
-                [0, 1].map(|axis| *self.raster.cells(start[axis], start[axis], axis).start());
-            u64::from(row * self.raster.columns + column) << 32 | u64::from(number)
-        };
-        let mut order: Vec<u64> = (0..number(curves.pieces.len()))
-            .into_par_iter()
-            .map(place)
-            .collect();
-        order.par_sort_unstable();
-        order.iter().map(|&pair| low_half(pair) as usize).collect()
-    }
-
     /// A cell, if its parts end where the next one's begin: a damaged file may claim endlessly many.
     fn cell(&self, number: usize) -> Option<Cell> {
         let cell = *self.cells.get(number)?;
@@ -219,61 +175,11 @@ fn list<'g>(starts: &[u32], entries: &'g [u32], part: usize) -> &'g [u32] {
     list.unwrap_or(&[])
 }
 
-/// The pieces of each of a grid's cells, for what else is built from them.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct CellPieces {
-    /// Cell and piece numbers, sorted.
-    pairs: Vec<u64>,
-    /// Where each cell's begin; one more than there are cells.
-    starts: Vec<usize>,
-}
-
-impl CellPieces {
-    fn new(raster: Raster, pairs: Vec<u64>) -> Self {
-        let mut starts = vec![0; raster.count() + 1];
-        for &pair in &pairs {
-            starts[(pair >> 32) as usize + 1] += 1;
-        }
-        for cell in 0..raster.count() {
-            starts[cell + 1] += starts[cell];
-        }
-        Self { pairs, starts }
-    }
-
-    fn pairs(&self, cell: usize) -> &[u64] {
-        &self.pairs[self.starts[cell]..self.starts[cell + 1]]
-    }
-
-    pub(crate) fn of(&self, cell: usize) -> impl Iterator<Item = usize> {
-        self.pairs(cell).iter().map(|&pair| low_half(pair) as usize)
-    }
-}
-
-/// Cell and piece numbers of all pieces, cell by cell.
-fn pairs(raster: Raster, curves: Curves<'_>) -> Vec<u64> {
-    let numbers = 0..number(curves.pieces.len());
-    let mut pairs: Vec<u64> = numbers
-        .into_par_iter()
-        .fold(Vec::new, |mut pairs, piece| {
-            let control = curves.control(piece as usize);
-            raster.for_each_cell(&control, |cell| {
-                pairs.push(u64::from(cell) << 32 | u64::from(piece));
-            });
-            pairs
-        })
-        .reduce(Vec::new, |mut a, mut b| {
-            a.append(&mut b);
-            a
-        });
-    pairs.par_sort_unstable();
-    pairs
-}
-
 /// How many pieces share a cell with an average piece.
-fn mean_in_cell(pairs: &[u64]) -> f64 {
-    let runs = pairs.chunk_by(|a, b| a >> 32 == b >> 32);
-    let squares: f64 = runs.map(|run| (run.len() as f64).powi(2)).sum();
-    squares / (pairs.len() as f64).max(1.0)
+fn mean_in_cell(raster: Raster, cells: &Lists<u32>) -> f64 {
+    let square = |cell| (cells.of(cell).len() as f64).powi(2);
+    let squares: f64 = (0..raster.count()).map(square).sum();
+    squares / (cells.len() as f64).max(1.0)
 }
 
 /// A cell's parts, on their own.
@@ -285,33 +191,46 @@ struct Parts {
 }
 
 impl Parts {
-    fn of(curves: Curves<'_>, cell: Raster, pairs: &[u64]) -> Self {
-        let side = (pairs.len() as f64 / PER_PART).sqrt().ceil();
-        let raster = cell.parted(cell_number(side.clamp(1.0, MOST_PARTS)));
-        let mut listed = Vec::with_capacity(2 * pairs.len());
-        for piece in pairs.iter().map(|&pair| pair & 0xffff_ffff) {
-            let control = curves.control(usize::try_from(piece).unwrap_or(0));
-            raster.for_each_cell(&control, |cell| listed.push(u64::from(cell) << 32 | piece));
+    /// Of a cell with these pieces, no more than `most` per side; `listed` is a buffer.
+    fn of(
+        curves: Curves<'_>,
+        cell: Raster,
+        pieces: &[u32],
+        most: f64,
+        listed: &mut Vec<[u32; 2]>,
+    ) -> Self {
+        let side = (pieces.len() as f64 / PER_PART).sqrt().ceil();
+        let raster = cell.parted(cell_number(side.clamp(1.0, most)));
+        listed.clear();
+        for &piece in pieces {
+            let control = curves.control(piece as usize);
+            raster.for_each_cell(&control, |part| listed.push([part, piece]));
         }
-        listed.sort_unstable();
-        let count = raster.columns * raster.rows;
-        let upto =
-            |part: u32| number(listed.partition_point(|&pair| pair >> 32 <= u64::from(part)));
+        // Each part's next place, which at last is where its list ends.
+        let mut ends = vec![0; raster.count()];
+        for &[part, _] in &*listed {
+            ends[part as usize] += 1;
+        }
+        let mut before = 0;
+        for end in &mut ends {
+            before += core::mem::replace(end, before);
+        }
+        let mut entries = vec![0; listed.len()];
+        for &[part, piece] in &*listed {
+            let place = &mut ends[part as usize];
+            entries[*place as usize] = piece;
+            *place += 1;
+        }
         Self {
             side: raster.columns,
-            ends: (0..count).map(upto).collect(),
-            entries: listed.iter().map(|&pair| low_half(pair)).collect(),
+            ends,
+            entries,
         }
     }
 }
 
-fn number(count: usize) -> u32 {
+pub(super) fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the lower half is meant")]
-fn low_half(pair: u64) -> u32 {
-    pair as u32
 }
 
 #[cfg(test)]
@@ -342,7 +261,7 @@ mod tests {
                 chains.append(&Chains::of_path(&curves, DVec2::ONE), scratch);
             }
             let curves = chains.curves();
-            let (grid, _) = Grid::new(curves);
+            let grid = Grid::new(curves);
             for _ in 0..60 {
                 let low = DVec2::new(rng.random::<f64>() * 2.2 - 0.1, rng.random::<f64>()) * crowd;
                 let high = low + DVec2::new(rng.random(), rng.random()) * 0.1 * crowd;

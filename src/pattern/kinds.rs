@@ -62,6 +62,10 @@ impl Kinds {
                 && kind.material == *material
                 && kind.tool.is_same(scratch.tool)
         });
+        if let Some(number) = same {
+            self.kinds[number as usize].admit(scratch, is_closed)?;
+            return Ok(number);
+        }
         let mut kind = Kind {
             tool: scratch.tool.clone(),
             material: material.clone(),
@@ -71,14 +75,10 @@ impl Kinds {
             span: NO_SPAN,
             hard: [NO_SPAN; 2],
         };
-        let Some(number) = same else {
-            kind.admit(scratch, is_closed)?;
-            let number = u32::try_from(self.kinds.len()).unwrap_or(u32::MAX);
-            known.push(number);
-            self.kinds.push(kind);
-            return Ok(number);
-        };
-        self.kinds[number as usize].admit(scratch, is_closed)?;
+        kind.admit(scratch, is_closed)?;
+        let number = u32::try_from(self.kinds.len()).unwrap_or(u32::MAX);
+        known.push(number);
+        self.kinds.push(kind);
         Ok(number)
     }
 

@@ -13,6 +13,7 @@ use super::tracks::{Extent, TrackRef, Tracks};
 use crate::brdf::Finish;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
+use rayon::prelude::*;
 
 /// Neighbouring pieces that turn less than this in all are one run, with one frame, degrees. On smooth finishes
 /// less: see [`run_cos`].
@@ -75,7 +76,7 @@ impl Pattern {
             ..added.strand
         };
         let curves = builder.chains.curves();
-        let (grid, cells) = Grid::new(curves);
+        let grid = Grid::new(curves);
         let smoothest = tracks
             .finishes()
             .iter()
@@ -105,35 +106,60 @@ impl Pattern {
         pattern.visible = visible_shares(&pattern).into();
         pattern.palette = Palette::new(&pattern.tracks, &pattern.station_areas());
         pattern.tracks.blends = pattern.palette.blends(&pattern.tracks).into();
-        pattern.pyramid = Pyramid::new(&pattern, &cells);
+        pattern.pyramid = Pyramid::new(&pattern);
         pattern
     }
 
     /// How much scratched area each station of the tracks stands for.
     fn station_areas(&self) -> Vec<f64> {
-        const PLACES: u32 = 4;
-        let mut areas = vec![0.0; self.tracks.station_count()];
-        for (scratch, strand) in (0_u32..).zip(&*self.strands) {
-            let Some((track, course)) = self.strand(scratch) else {
-                continue;
-            };
-            for [[from, a], [to, b]] in course.turns(0.0, 1.0) {
-                let places = if a == b { 1 } else { PLACES };
-                for i in 0..places {
-                    let place = a + (b - a) * (f64::from(i) + 0.5) / f64::from(places);
-                    let [left, right] = track.ends(place).map(f64::from);
-                    let (station, mix) = track.locate(place);
-                    let length = f64::from(strand.length) * (to - from) / f64::from(places);
-                    let (area, mix) = (length * (right - left), f64::from(mix));
-                    let first = track.first_station + station;
-                    areas[first] += area * (1.0 - mix);
-                    if mix > 0.0 {
-                        areas[first + 1] += area * mix;
-                    }
+        /// Numbers that all portions' sums may take.
+        const MOST: usize = 1 << 24;
+        // Scratches of a portion are added up before any others', so that rounding is the same on any cores.
+        let most = (MOST / self.tracks.station_count().max(1)).clamp(1, 64);
+        let portion_size = self.strands.len().div_ceil(most).max(1);
+        let portions: Vec<Vec<f64>> = (0..self.strands.len().div_ceil(portion_size))
+            .into_par_iter()
+            .map(|portion| {
+                let mut areas = vec![0.0; self.tracks.station_count()];
+                let first = portion * portion_size;
+                for scratch in first..self.strands.len().min(first + portion_size) {
+                    self.add_areas(scratch, &mut areas);
                 }
+                areas
+            })
+            .collect();
+        let mut areas = vec![0.0; self.tracks.station_count()];
+        for portion in portions {
+            for (area, part) in areas.iter_mut().zip(portion) {
+                *area += part;
             }
         }
         areas
+    }
+
+    /// Adds one scratch's area.
+    fn add_areas(&self, scratch: usize, areas: &mut [f64]) {
+        const PLACES: u32 = 4;
+        let number = u32::try_from(scratch).unwrap_or(u32::MAX);
+        let Some((track, course)) = self.strand(number) else {
+            return;
+        };
+        let whole = self.length_of(number);
+        for [[from, a], [to, b]] in course.turns(0.0, 1.0) {
+            let places = if a == b { 1 } else { PLACES };
+            for i in 0..places {
+                let place = a + (b - a) * (f64::from(i) + 0.5) / f64::from(places);
+                let [left, right] = track.ends(place).map(f64::from);
+                let (station, mix) = track.locate(place);
+                let length = whole * (to - from) / f64::from(places);
+                let (area, mix) = (length * (right - left), f64::from(mix));
+                let first = track.first_station + station;
+                areas[first] += area * (1.0 - mix);
+                if mix > 0.0 {
+                    areas[first + 1] += area * mix;
+                }
+            }
+        }
     }
 
     /// The share of a piece that later scratches leave.

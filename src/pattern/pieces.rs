@@ -1,6 +1,6 @@
 //! The pieces that paths are cut into, and how a pattern holds them: control points and 12 bytes a piece.
 
-use super::closest::{length_share, speed};
+use super::closest::{LengthShares, speed};
 use super::path::{Curve, scaled};
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
@@ -47,67 +47,54 @@ pub(crate) struct Curves<'p> {
 
 impl Chains {
     /// One path's pieces. `units_per_uv` scales texture space for turning and arc length.
+    #[cfg(test)]
     pub(crate) fn of_path(curves: &[Curve], units_per_uv: DVec2) -> Self {
-        let whole: f64 = curves.iter().map(|curve| curve.length).sum();
         let mut chains = Self::default();
+        chains.push_path(curves, units_per_uv, 0);
+        chains
+    }
+
+    /// Appends a path as scratch number `scratch`; its pieces. `units_per_uv` scales texture space for turning and
+    /// arc length.
+    pub(crate) fn push_path(
+        &mut self,
+        curves: &[Curve],
+        units_per_uv: DVec2,
+        scratch: u32,
+    ) -> Curves<'_> {
+        let whole: f64 = curves.iter().map(|curve| curve.length).sum();
+        let first = self.pieces.len();
+        let mut path = Growing {
+            first_point: self.points.len(),
+            chains: self,
+            scratch,
+        };
         let mut before = 0.0;
         for curve in curves {
             let [a, b, c, d] = curve.control;
             if b == a.lerp(d, 1.0 / 3.0) && c == a.lerp(d, 2.0 / 3.0) {
-                chains.push(&[a, d], LINE, curve.joins, (before + curve.length) / whole);
+                path.push(&[a, d], LINE, curve.joins, (before + curve.length) / whole);
             } else {
-                chains.push_curve(curve, before, whole, units_per_uv);
+                path.push_curve(curve, before, whole, units_per_uv);
             }
             before += curve.length;
         }
-        if let Some(last) = chains.pieces.last_mut() {
+        if let Some(last) = self.pieces.last_mut() {
             last.end_at = 1.0;
         }
-        chains
-    }
-
-    fn push_curve(&mut self, curve: &Curve, before: f64, whole: f64, units_per_uv: DVec2) {
-        let fits = |&halvings: &u32| {
-            parts(&scaled(&curve.control, units_per_uv), halvings).all(|part| is_plain(&part))
-        };
-        let halvings = (0..MOST_HALVINGS).find(fits).unwrap_or(MOST_HALVINGS);
-        let one = scaled(&curve.control, DVec2::ONE);
-        let controls: Vec<[DVec2; 4]> =
-            parts(&one, halvings).map(|part| points_of(&part)).collect();
-        let in_uv = |control: &[DVec2; 4]| length(&control.map(|p| p * units_per_uv));
-        // On a mesh a curve's length is its own, not its texture space's.
-        let stretch = curve.length / controls.iter().map(in_uv).sum::<f64>();
-        let mut at = before;
-        for (i, control) in controls.iter().enumerate() {
-            at += stretch * in_uv(control);
-            self.push(control, 0, i > 0 || curve.joins, at / whole);
+        Curves {
+            points: &self.points,
+            pieces: &self.pieces[first..],
         }
     }
 
-    fn push(&mut self, control: &[DVec2], flags: u32, joins: bool, end_at: f64) {
-        // The first piece of a closed path is joined to points that are yet to come.
-        let shares = joins && !self.points.is_empty();
-        let first = self.points.len() - usize::from(shares);
-        self.points.extend(&control[usize::from(shares)..]);
-        self.pieces.push(Piece {
-            place: u32::try_from(first).unwrap_or(0) | flags | if joins { JOINED } else { 0 },
-            scratch: 0,
-            end_at: crate::single(end_at),
-        });
-    }
-
-    /// Whether one path's pieces, these, go on where they end.
-    pub(crate) fn is_closed(&self) -> bool {
-        self.pieces.first().is_some_and(Piece::is_joined)
-    }
-
-    /// Appends another path's pieces as scratch number `scratch`.
-    pub(crate) fn append(&mut self, path: &Self, scratch: u32) {
+    /// Appends other paths' pieces, the first of which becomes scratch number `scratch`.
+    pub(crate) fn append(&mut self, paths: &Self, scratch: u32) {
         let shift = u32::try_from(self.points.len()).unwrap_or(0);
-        self.points.extend(&path.points);
-        self.pieces.extend(path.pieces.iter().map(|piece| Piece {
+        self.points.extend(&paths.points);
+        self.pieces.extend(paths.pieces.iter().map(|piece| Piece {
             place: piece.place + shift,
-            scratch,
+            scratch: piece.scratch + scratch,
             ..*piece
         }));
     }
@@ -117,6 +104,52 @@ impl Chains {
             points: &self.points,
             pieces: &self.pieces,
         }
+    }
+}
+
+/// A path whose pieces are being appended.
+struct Growing<'c> {
+    chains: &'c mut Chains,
+    first_point: usize,
+    scratch: u32,
+}
+
+impl Growing<'_> {
+    fn push_curve(&mut self, curve: &Curve, before: f64, whole: f64, units_per_uv: DVec2) {
+        if let Some(length) = plain_length(&curve.control.map(|p| p * units_per_uv)) {
+            // On a mesh a curve's length is its own, not its texture space's.
+            let at = before + if length > 0.0 { curve.length } else { 0.0 };
+            return self.push(&curve.control, 0, curve.joins, at / whole);
+        }
+        let fits = |&halvings: &u32| {
+            parts(&scaled(&curve.control, units_per_uv), halvings)
+                .all(|part| plain_length(&points_of(&part)).is_some())
+        };
+        let halvings = (1..MOST_HALVINGS).find(fits).unwrap_or(MOST_HALVINGS);
+        let one = scaled(&curve.control, DVec2::ONE);
+        let controls: Vec<[DVec2; 4]> =
+            parts(&one, halvings).map(|part| points_of(&part)).collect();
+        let in_uv = |control: &[DVec2; 4]| length(&control.map(|p| p * units_per_uv), 0.0, 1.0);
+        // Here too.
+        let stretch = curve.length / controls.iter().map(in_uv).sum::<f64>();
+        let mut at = before;
+        for (i, control) in controls.iter().enumerate() {
+            at += stretch * in_uv(control);
+            self.push(control, 0, i > 0 || curve.joins, at / whole);
+        }
+    }
+
+    fn push(&mut self, control: &[DVec2], flags: u32, joins: bool, end_at: f64) {
+        let points = &mut self.chains.points;
+        // The first piece of a closed path is joined to points that are yet to come.
+        let shares = joins && points.len() > self.first_point;
+        let first = points.len() - usize::from(shares);
+        points.extend(&control[usize::from(shares)..]);
+        self.chains.pieces.push(Piece {
+            place: u32::try_from(first).unwrap_or(0) | flags | if joins { JOINED } else { 0 },
+            scratch: self.scratch,
+            end_at: crate::single(end_at),
+        });
     }
 }
 
@@ -130,6 +163,11 @@ impl Piece {
 }
 
 impl Curves<'_> {
+    /// Whether one path's pieces, these, go on where they end.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.pieces.first().is_some_and(Piece::is_joined)
+    }
+
     /// Control points of a piece's cubic curve, (u, v).
     pub(crate) fn control(&self, number: usize) -> [DVec2; 4] {
         let place = self.pieces.get(number).map_or(0, |piece| piece.place);
@@ -195,18 +233,24 @@ fn points_of(curve: &CubicBez) -> [DVec2; 4] {
     [curve.p0, curve.p1, curve.p2, curve.p3].map(point)
 }
 
-/// Whether a curve turns little, and interpolation knows its arc length.
-fn is_plain(curve: &CubicBez) -> bool {
-    let control = points_of(curve);
-    let whole = length(&control);
-    let [first, _] = halves(control);
-    let off = |share: f64, part: [DVec2; 4]| length_share(&control, share) - length(&part) / whole;
-    let strays = off(0.5, first).abs().max(off(0.25, halves(first)[0]).abs());
-    turn_rad(&control) <= MOST_TURN_RAD && (whole <= 0.0 || strays <= LENGTH_ACCURACY)
+/// A curve's arc length, if it turns little and interpolation knows its parts.
+fn plain_length(control: &[DVec2; 4]) -> Option<f64> {
+    if !is_gentle(control) && turn_rad(control) > MOST_TURN_RAD {
+        return None;
+    }
+    let quarters = [0.0, 0.25].map(|from| length(control, from, from + 0.25));
+    let half = quarters[0] + quarters[1];
+    let whole = half + length(control, 0.5, 1.0);
+    let shares = LengthShares::of(control);
+    let strays =
+        [(0.25, quarters[0]), (0.5, half)].map(|(t, length)| (shares.at(t) - length / whole).abs());
+    let strays = strays[0].max(strays[1]);
+    (whole <= 0.0 || strays <= LENGTH_ACCURACY).then_some(whole)
 }
 
-/// Arc length by Gauss and Legendre's rule of five points: 1e-6 and better for what a piece may be.
-fn length(control: &[DVec2; 4]) -> f64 {
+/// Arc length between two parameters by Gauss and Legendre's rule of five points: 1e-6 and better for what a piece
+/// may be.
+fn length(control: &[DVec2; 4], from: f64, to: f64) -> f64 {
     const NODES: [(f64, f64); 5] = [
         (0.046910077030668, 0.118463442528095),
         (0.230765344947158, 0.239314335249683),
@@ -214,7 +258,15 @@ fn length(control: &[DVec2; 4]) -> f64 {
         (0.769234655052842, 0.239314335249683),
         (0.953089922969332, 0.118463442528095),
     ];
-    NODES.iter().map(|&(t, w)| w * speed(control, t)).sum()
+    let at = |t: f64| from + (to - from) * t;
+    let sum: f64 = NODES.iter().map(|&(t, w)| w * speed(control, at(t))).sum();
+    (to - from) * sum
+}
+
+/// Whether neither corner of the control polygon turns by more than half of what a piece may: told without a root.
+fn is_gentle([a, b, c, d]: &[DVec2; 4]) -> bool {
+    let gentle = |p: DVec2, q: DVec2| p.perp_dot(q).abs() < 0.5 * MOST_TURN_RAD * p.dot(q);
+    gentle(*b - *a, *c - *b) && gentle(*c - *b, *d - *c)
 }
 
 /// How much the legs of the control polygon turn in all: no less than the curve does.
@@ -238,6 +290,7 @@ fn turn_rad(control: &[DVec2; 4]) -> f64 {
 mod tests {
     use super::*;
     use crate::pattern::Path;
+    use crate::pattern::closest::length_share;
 
     /// A Bézier quarter circle: shares of arc length that grow to 1, in proportion to the angle.
     #[test]

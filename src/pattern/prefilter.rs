@@ -3,13 +3,12 @@
 
 use super::Pattern;
 use super::caps::ENDS;
-use super::closest::{bezier, length_share, tangent};
-use super::crowd::{Crowd, MOST_ENTRIES, Packed};
-use super::grid::CellPieces;
+use super::closest::{LengthShares, bezier, tangent};
+use super::crowd::{Crowd, MOST_ENTRIES, Packed, keys};
 use super::hit::Hit;
+use super::lists::Lists;
 use super::query::{Candidates, Reach};
 use super::raster::Raster;
-use super::region::Region;
 use super::store::Store;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
@@ -26,6 +25,9 @@ const CHORD_RAD: f64 = 0.07;
 
 /// A chord's cross-section changes no more than this share of its size.
 const CHORD_CHANGE: f64 = 0.14;
+
+/// Quarters of a piece of which later scratches leave shares closer than this, 255ths, count with their mean.
+const EVEN: u8 = 5;
 
 /// A pyramid of cells: level 0 are the grid's, each level has half as many per side as the one before.
 #[derive(Clone, Debug, Default)]
@@ -62,11 +64,14 @@ impl Pattern {
                 let mut last = None;
                 for &number in candidates {
                     let mut is_held = false;
-                    self.for_each_chord(number as usize, |chord| {
-                        let ends = chord.ends.map(|uv| reach.place(uv));
-                        let share = reach.footprint.share_of_segment(ends);
-                        is_held |= share > 0.0;
-                        self.add(&mut crowd, &chord, share);
+                    let share = |ends: [DVec2; 2]| {
+                        let ends = ends.map(|uv| reach.place(uv));
+                        reach.footprint.share_of_segment(ends)
+                    };
+                    self.for_each_chord(number as usize, share, |chord| {
+                        is_held = true;
+                        let (classes, travel) = (&chord.classes, chord.travel);
+                        crowd.add(&self.palette, classes, travel, chord.area_mm2);
                     });
                     let scratch = self.curves().pieces.get(number as usize).map(|p| p.scratch);
                     if is_held && last != scratch {
@@ -95,15 +100,13 @@ impl Pattern {
         crowd.add(&self.palette, &classes, travel, crate::single(area_mm2));
     }
 
-    fn add(&self, crowd: &mut Crowd, chord: &Chord, share: f64) {
-        let area_mm2 = chord.area_mm2 * crate::single(share);
-        if area_mm2 > 0.0 {
-            crowd.add(&self.palette, &chord.classes, chord.travel, area_mm2);
-        }
-    }
-
-    /// Calls `visit` with the chords of a piece.
-    fn for_each_chord(&self, number: usize, mut visit: impl FnMut(Chord)) {
+    /// Calls `visit` with the chords of a piece of which a share counts, each with that share of its area.
+    fn for_each_chord(
+        &self,
+        number: usize,
+        share: impl Fn([DVec2; 2]) -> f64,
+        mut visit: impl FnMut(Chord),
+    ) {
         let curves = self.curves();
         let Some((track, course)) = curves
             .pieces
@@ -114,43 +117,47 @@ impl Pattern {
         };
         let (control, [from, to]) = (curves.control(number), curves.at(number));
         let scaled = control.map(|p| p * self.units_per_uv);
-        let turn = (scaled[1] - scaled[0])
-            .angle_to(scaled[3] - scaled[2])
-            .abs()
-            + (scaled[1] - scaled[0])
-                .angle_to(scaled[2] - scaled[1])
-                .abs();
-        let needed = (turn / CHORD_RAD).max(course.change(&track, from, to) / CHORD_CHANGE);
-        let count = (1..MOST_CHORDS).find(|&count| needed <= f64::from(count));
-        let visible = self.visible(number);
+        let visible = evened(self.visible(number));
         let is_even = visible.iter().all(|quarter| *quarter == visible[0]);
-        let count = count
-            .unwrap_or(MOST_CHORDS)
-            .max(if is_even { 1 } else { 4 });
+        let needed = (turn_rad(&scaled) / CHORD_RAD)
+            .max(course.change(&track, from, to) / CHORD_CHANGE)
+            .max(if is_even { 1.0 } else { 4.0 });
+        let count = (1..MOST_CHORDS).find(|&count| needed <= f64::from(count));
+        let count = count.unwrap_or(MOST_CHORDS);
+        let lengths = LengthShares::of(&scaled);
+        let t = |i: f64| i / f64::from(count);
         let mut start = control[0];
         for i in 0..count {
-            let t = |i: f64| i / f64::from(count);
             let end = bezier(&control, t(f64::from(i + 1)));
-            let at = from + (to - from) * length_share(&scaled, t(f64::from(i) + 0.5));
-            let place = course.value(at);
-            let [left, right] = track.ends(place).map(f64::from);
-            let travel = (end - start) * self.units_per_uv;
-            let quarter = (4 * i + 2) / count;
-            let visible = f64::from(visible[quarter.min(3) as usize]) / 255.0;
-            let area_mm2 = travel.length() * self.mm_per_scene_unit * (right - left) * visible;
-            visit(Chord {
-                ends: [start, end],
-                classes: track.classes(place),
-                travel,
-                area_mm2: crate::single(area_mm2),
-            });
+            let ends = [start, end];
             start = end;
+            let share = share(ends);
+            if share <= 0.0 {
+                continue;
+            }
+            let at = from + (to - from) * lengths.at(t(f64::from(i) + 0.5));
+            let (sides, classes) = track.ends_and_classes(course.value(at));
+            let [left, right] = sides.map(f64::from);
+            let travel = (ends[1] - ends[0]) * self.units_per_uv;
+            let quarter = (4 * i + 2) / count;
+            let area_mm2 = travel.length() * self.mm_per_scene_unit * (right - left) * share;
+            visit(Chord {
+                ends,
+                classes,
+                travel,
+                area_mm2: crate::single(area_mm2 * visible[quarter.min(3) as usize]),
+            });
         }
-        self.for_each_cap_chord(number, &mut visit);
+        self.for_each_cap_chord(number, share, &mut visit);
     }
 
     /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis.
-    fn for_each_cap_chord(&self, number: usize, visit: &mut impl FnMut(Chord)) {
+    fn for_each_cap_chord(
+        &self,
+        number: usize,
+        share: impl Fn([DVec2; 2]) -> f64,
+        visit: &mut impl FnMut(Chord),
+    ) {
         let curves = self.curves();
         let visible = self.visible(number);
         for (end, visible) in ENDS.into_iter().zip([visible[0], visible[3]]) {
@@ -162,47 +169,109 @@ impl Pattern {
                 continue;
             };
             let control = curves.control(number);
-            let place = bezier(&control, cap.at);
+            let ends = [bezier(&control, cap.at); 2];
+            let share = share(ends);
+            if share <= 0.0 {
+                continue;
+            }
             let scaled = control.map(|p| p * self.units_per_uv);
+            let classes = track.classes(cap.place);
             for sector in cap.sectors() {
                 let [_, _, axis] = sector.wedge.directions(tangent(&scaled, cap.at));
                 visit(Chord {
-                    ends: [place; 2],
-                    classes: track.classes(cap.place),
+                    ends,
+                    classes,
                     travel: axis.perp(),
-                    area_mm2: crate::single(sector.area_mm2() * visible),
+                    area_mm2: crate::single(sector.area_mm2() * visible * share),
                 });
             }
         }
     }
 }
 
+/// How much a piece turns, and no less.
+fn turn_rad([a, b, c, d]: &[DVec2; 4]) -> f64 {
+    let (first, middle, last) = (b - a, c - b, d - c);
+    first.angle_to(last).abs() + first.angle_to(middle).abs()
+}
+
+/// What is left of each quarter, as a share; their mean, if they differ little.
+fn evened(visible: [u8; 4]) -> [f64; 4] {
+    let (low, high) = (visible.into_iter().min(), visible.into_iter().max());
+    let visible = visible.map(|quarter| f64::from(quarter) / 255.0);
+    match (low, high) {
+        (Some(low), Some(high)) if high - low > EVEN => visible,
+        _ => [0.25 * visible.iter().sum::<f64>(); 4],
+    }
+}
+
+/// What one chord has in one cell of one key of a crowd.
+#[derive(Clone, Copy, Debug, Default)]
+struct Held {
+    area_mm2: f32,
+    key: u16,
+    /// Within the direction's step, in 65534ths.
+    place: i16,
+}
+
+impl Held {
+    const PLACES: f32 = 65534.0;
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "from -1/2 to 1/2 of PLACES"
+    )]
+    fn new(key: usize, area_mm2: f32, place: f32) -> Self {
+        Self {
+            area_mm2,
+            key: u16::try_from(key).unwrap_or(0),
+            place: (Self::PLACES * place).round() as i16,
+        }
+    }
+
+    fn add_to(self, crowd: &mut Crowd) {
+        let place = f32::from(self.place) / Self::PLACES;
+        crowd.add_to(self.key.into(), self.area_mm2, self.area_mm2 * place);
+    }
+}
+
 impl Pyramid {
-    /// Of a pattern that has all but this; `cells` lists the pieces of each of the grid's cells.
-    pub(crate) fn new(pattern: &Pattern, cells: &CellPieces) -> Self {
+    /// Of a pattern that has all but this.
+    pub(crate) fn new(pattern: &Pattern) -> Self {
         let raster = pattern.grid.raster;
         let mut pyramid = Self::default();
         if raster.count() == 0 {
             return pyramid;
         }
+        // Piece by piece, as they lie in memory, and sorted by cell afterwards.
+        let pieces = pattern.curves().pieces.len();
+        let held = Lists::new(raster.count(), pieces, |number, sink| {
+            pattern.for_each_chord(
+                number,
+                |_| 1.0,
+                |chord| {
+                    raster.for_each_share(chord.ends, |cell, share| {
+                        let area_mm2 = chord.area_mm2 * crate::single(share);
+                        for (key, share, place) in
+                            keys(&pattern.palette, &chord.classes, chord.travel)
+                        {
+                            sink.put(cell, Held::new(key, share * area_mm2, place));
+                        }
+                    });
+                },
+            );
+        });
         let first: Vec<Vec<Packed>> = (0..raster.count())
             .into_par_iter()
             .map(|cell| {
-                let own = cells.of(cell);
                 let mut crowd = Crowd::new();
-                let [low, high] = raster.cell(cell).bounds();
-                let middle = 0.5 * (low + high);
-                let size = high - low;
-                let rect = Region::parallelogram(DVec2::new(size.x, 0.0), DVec2::new(0.0, size.y));
-                for piece in own {
-                    pattern.for_each_chord(piece, |chord| {
-                        let share = rect.share_of_segment(chord.ends.map(|uv| uv - middle));
-                        pattern.add(&mut crowd, &chord, share);
-                    });
+                for held in held.of(cell) {
+                    held.add_to(&mut crowd);
                 }
                 crowd.packed().collect()
             })
             .collect();
+        drop(held);
         pyramid.push(raster, &first);
         let (mut raster, mut cells) = (raster, first);
         while raster.count() > 1 {

@@ -4,6 +4,7 @@ use super::pieces::{bounds, sagitta};
 use bytemuck::{Pod, Zeroable};
 use core::ops::RangeInclusive;
 use glam::DVec2;
+use rayon::prelude::*;
 
 /// A rectangle in equal cells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -14,6 +15,49 @@ pub(crate) struct Raster {
     per_unit: DVec2,
     pub columns: u32,
     pub rows: u32,
+}
+
+/// What a raster for many things must span, and how large they are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extents {
+    hull: [DVec2; 2],
+    count: f64,
+    /// Width and height together, on average.
+    size: f64,
+}
+
+impl Extents {
+    /// Of `count` things with these lowest and highest coordinates; nothing of none.
+    pub(super) fn of(count: usize, bounds: impl Fn(usize) -> [DVec2; 2] + Sync) -> Option<Self> {
+        const PORTION: usize = 1 << 16;
+        // In portions, one after the other: sums in another order would be others.
+        let portions = (0..count.div_ceil(PORTION)).into_par_iter().map(|portion| {
+            let empty = ([DVec2::INFINITY, DVec2::NEG_INFINITY], 0.0);
+            let all = portion * PORTION..count.min((portion + 1) * PORTION);
+            all.map(&bounds)
+                .fold(empty, |([low, high], size), [from, to]| {
+                    let hull = [low.min(from), high.max(to)];
+                    (hull, size + (to - from).element_sum())
+                })
+        });
+        let portions: Vec<([DVec2; 2], f64)> = portions.collect();
+        let hulls = portions.iter().map(|portion| portion.0);
+        let hull = hulls.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
+        let count = count as f64;
+        let size = portions.iter().map(|portion| portion.1).sum::<f64>() / count;
+        Some(Self { hull, count, size })
+    }
+
+    /// Square cells with about `per_cell` things for each, of which a thing touches about `most` on average, or
+    /// fewer. They span slightly more than the things; for one line they are a strip.
+    pub(super) fn raster(&self, per_cell: f64, most: f64) -> Raster {
+        let [low, high] = self.hull;
+        let longest = (high - low).max_element();
+        let size = (high - low).max(DVec2::splat(longest / 64.0)) * (1.0 + 1e-9);
+        let side = self.size / most;
+        let fewest = size.x * size.y / (side * side);
+        Raster::over(low, size, (self.count / per_cell).min(fewest).max(1.0))
+    }
 }
 
 impl Raster {
@@ -28,6 +72,17 @@ impl Raster {
             per_unit: cells / size,
             columns: cell_number(cells.x),
             rows: cell_number(cells.y),
+        }
+    }
+
+    /// A box, `per_side` by `per_side`.
+    pub(super) fn of_box([low, high]: [DVec2; 2], per_side: f64) -> Self {
+        let count = cell_number(per_side);
+        Self {
+            origin: low,
+            per_unit: per_side / (high - low),
+            columns: count,
+            rows: count,
         }
     }
 
@@ -85,14 +140,29 @@ impl Raster {
         })
     }
 
+    /// Where a cell is lowest and highest: where it ends, to the bit, its neighbours begin.
+    pub(super) fn corners(&self, number: usize) -> [DVec2; 2] {
+        let columns = self.columns as usize;
+        let (column, row) = ((number % columns) as f64, (number / columns) as f64);
+        [0.0, 1.0].map(|i| self.origin + DVec2::new(column + i, row + i) / self.per_unit)
+    }
+
+    /// The same, of a raster of this box: its outermost cells end where the box does.
+    pub(super) fn corners_within(&self, number: usize, [low, high]: [DVec2; 2]) -> [DVec2; 2] {
+        let [from, to] = self.corners(number);
+        let columns = self.columns as usize;
+        let is_last = [
+            number % columns + 1 == columns,
+            number / columns + 1 == self.rows as usize,
+        ];
+        let end = |axis: usize| if is_last[axis] { high[axis] } else { to[axis] };
+        [from.max(low), DVec2::new(end(0), end(1))]
+    }
+
     /// One of its cells.
     pub(crate) fn cell(&self, number: usize) -> Self {
-        let (column, row) = (
-            number % self.columns as usize,
-            number / self.columns as usize,
-        );
         Self {
-            origin: self.origin + DVec2::new(column as f64, row as f64) / self.per_unit,
+            origin: self.corners(number)[0],
             columns: 1,
             rows: 1,
             ..*self
@@ -110,8 +180,19 @@ impl Raster {
     }
 
     /// Calls `visit` with the number of each cell that a curve may cross.
-    pub(super) fn for_each_cell(&self, control: &[DVec2; 4], mut visit: impl FnMut(u32)) {
+    pub(super) fn for_each_cell(&self, control: &[DVec2; 4], visit: impl FnMut(u32)) {
+        self.for_each_cell_within(0.0, control, visit);
+    }
+
+    /// Calls `visit` with the number of each cell that may lie within `reach` of a curve.
+    pub(super) fn for_each_cell_within(
+        &self,
+        reach: f64,
+        control: &[DVec2; 4],
+        mut visit: impl FnMut(u32),
+    ) {
         let [low, high] = bounds(control);
+        let [low, high] = [low - reach, high + reach];
         let Some((columns, rows)) = self.touched(low, high) else {
             return;
         };
@@ -123,12 +204,50 @@ impl Raster {
             }
             return;
         }
-        let sagitta = sagitta(control);
+        let sagitta = sagitta(control) + reach;
         for row in rows {
             for column in self.columns_of(control, [low, high], sagitta, row) {
                 visit(row * self.columns + column);
             }
         }
+    }
+
+    /// Calls `visit` with each cell that a line crosses, and the share of the line that lies in it; all shares
+    /// make up the line.
+    pub(super) fn for_each_share(&self, [a, b]: [DVec2; 2], mut visit: impl FnMut(u32, f64)) {
+        let [from, to] = [a, b].map(|p| (p - self.origin) * self.per_unit);
+        let most = DVec2::new(self.columns.into(), self.rows.into()) - 1.0;
+        let cell = |p: DVec2| {
+            let cell = p.floor().clamp(DVec2::ZERO, most);
+            cell_number(cell.y) * self.columns + cell_number(cell.x)
+        };
+        let step = to - from;
+        let mut before = 0.0;
+        let mut put = |upto: f64| {
+            if upto > before {
+                visit(cell(from + 0.5 * (before + upto) * step), upto - before);
+                before = upto;
+            }
+        };
+        let mut next = [0, 1].map(|axis| Borders::between(from[axis], to[axis]));
+        if next[0].count == 0.0 && next[1].count == 0.0 {
+            return visit(cell(from), 1.0);
+        }
+        loop {
+            let at = next.each_ref().map(Borders::place);
+            match at {
+                [None, None] => break,
+                [Some(x), y] if y.is_none_or(|y| x <= y) => {
+                    put(x);
+                    next[0].pass();
+                }
+                [_, y] => {
+                    put(y.unwrap_or(1.0));
+                    next[1].pass();
+                }
+            }
+        }
+        put(1.0);
     }
 
     /// The columns a curve crosses in one row: where its chord, widened by its sagitta, crosses the row.
@@ -174,6 +293,45 @@ impl Raster {
         let cell =
             |at: f64| cell_number((at - self.origin[axis]) * self.per_unit[axis]).min(count - 1);
         cell(low)..=cell(high)
+    }
+}
+
+/// Whole numbers between two, from the first to the second.
+struct Borders {
+    from: f64,
+    step: f64,
+    next: f64,
+    side: f64,
+    count: f64,
+}
+
+impl Borders {
+    fn between(from: f64, to: f64) -> Self {
+        let (low, high) = (from.min(to), from.max(to));
+        let side = if to < from { -1.0 } else { 1.0 };
+        let next = if to < from {
+            from.ceil() - 1.0
+        } else {
+            from.floor() + 1.0
+        };
+        let count = (high.ceil() - 1.0 - low.floor()).max(0.0);
+        Self {
+            from,
+            step: to - from,
+            next,
+            side,
+            count,
+        }
+    }
+
+    /// The share of the way at which the next one is passed.
+    fn place(&self) -> Option<f64> {
+        (self.count > 0.0).then(|| ((self.next - self.from) / self.step).clamp(0.0, 1.0))
+    }
+
+    fn pass(&mut self) {
+        self.next += self.side;
+        self.count -= 1.0;
     }
 }
 

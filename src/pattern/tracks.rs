@@ -232,7 +232,10 @@ impl<'p> TrackRef<'p> {
 
     /// Classes that stand for the cross-section at a place, and the share of each.
     pub(crate) fn classes(&self, at: f64) -> [(usize, f32); 4] {
-        let (last, mix) = self.locate(at);
+        self.classes_of(self.locate(at))
+    }
+
+    fn classes_of(&self, (last, mix): (usize, f32)) -> [(usize, f32); 4] {
         let of = |station: usize, share: f32| {
             let blend = self.blends.get(station).copied().unwrap_or_default();
             let [a, b] = blend.classes.map(usize::from);
@@ -280,7 +283,26 @@ impl<'p> TrackRef<'p> {
 
     /// Where the cross-section begins and ends at a place, mm across from the centre line.
     pub(crate) fn ends(&self, at: f64) -> [f32; 2] {
-        self.profile(at).ends()
+        self.ends_of(self.locate(at))
+    }
+
+    /// The same, and [`Self::classes`].
+    pub(crate) fn ends_and_classes(&self, at: f64) -> ([f32; 2], [(usize, f32); 4]) {
+        let place = self.locate(at);
+        (self.ends_of(place), self.classes_of(place))
+    }
+
+    fn ends_of(&self, (last, mix): (usize, f32)) -> [f32; 2] {
+        let ends = |station: usize| {
+            let shape = self.shapes_from(station);
+            let x = |vertex: usize| shape.get(vertex).map_or(0.0, |vertex| vertex.x);
+            [x(0), x(self.vertex_count - 1)]
+        };
+        if mix <= 0.0 {
+            return ends(last);
+        }
+        let (a, b) = (ends(last), ends(last + 1));
+        [0, 1].map(|i| a[i] * (1.0 - mix) + b[i] * mix)
     }
 
     /// How much the cross-section has changed from the first station to a place.
