@@ -96,6 +96,20 @@ impl LengthShares {
         let share = (t3 - 2.0 * t2 + t) * from + (3.0 * t2 - 2.0 * t3) + (t3 - t2) * to;
         share.clamp(0.0, 1.0)
     }
+
+    /// The parameter where this share of the arc length is reached.
+    pub(crate) fn parameter(self, share: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if self.at(middle) < share {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        0.5 * (low + high)
+    }
 }
 
 /// Share of the piece's arc length at parameter t.

@@ -113,6 +113,16 @@ impl Course<'_> {
         )
     }
 
+    /// The mean width of the cross-sections between two shares of arc length, mm.
+    pub(crate) fn mean_width(&self, track: &TrackRef<'_>, [from, to]: [f64; 2]) -> f64 {
+        if to <= from || self.is_constant() {
+            return track.width(self.value(from));
+        }
+        let spans = self.turns(from, to);
+        let area = |[[at_a, a], [at_b, b]]: [[f64; 2]; 2]| (at_b - at_a) * track.mean_width(a, b);
+        spans.map(area).sum::<f64>() / (to - from)
+    }
+
     /// How much the cross-section changes from one share of arc length to another, all to and fro counted.
     pub(crate) fn change(&self, track: &TrackRef<'_>, from: f64, to: f64) -> f64 {
         if self.is_constant() {

@@ -362,15 +362,13 @@ fn strip(pattern: &Pattern, number: usize) -> Strip {
     let [start, _, _, end] = curves.control(number);
     let scale = pattern.units_per_uv * pattern.mm_per_scene_unit;
     let [from, to] = curves.at(number);
-    let ends = pattern
-        .strand(curves.pieces[number].scratch)
-        .map_or([0.0; 2], |(track, course)| {
-            track.ends(course.value(0.5 * (from + to)))
-        });
+    let strand = pattern.strand(curves.pieces[number].scratch);
+    let width = strand.map_or(0.0, |(track, course)| course.mean_width(&track, [from, to]));
     Strip {
         start: start * scale,
         end: end * scale,
-        half_width: 0.5 * f64::from(ends[1] - ends[0]),
+        // Where it sets in, it covers less.
+        half_width: 0.5 * width,
     }
 }
 

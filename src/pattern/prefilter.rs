@@ -8,7 +8,7 @@ use super::crowd::{Crowd, MOST_ENTRIES, Packed, keys};
 use super::hit::Hit;
 use super::lists::Lists;
 use super::query::{Candidates, Reach};
-use super::raster::Raster;
+use super::raster::{Raster, cell_number};
 use super::store::Store;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
@@ -18,7 +18,7 @@ use rayon::prelude::*;
 const MOST_CELLS: u32 = 64;
 
 /// A piece counts as a chain of at most this many straight chords.
-const MOST_CHORDS: u32 = 512;
+const MOST_CHORDS: f64 = 512.0;
 
 /// A chord turns no more than this.
 const CHORD_RAD: f64 = 0.07;
@@ -119,34 +119,48 @@ impl Pattern {
         let scaled = control.map(|p| p * self.units_per_uv);
         let visible = evened(self.visible(number));
         let is_even = visible.iter().all(|quarter| *quarter == visible[0]);
-        let needed = (turn_rad(&scaled) / CHORD_RAD)
-            .max(course.change(&track, from, to) / CHORD_CHANGE)
-            .max(if is_even { 1.0 } else { 4.0 });
-        let count = (1..MOST_CHORDS).find(|&count| needed <= f64::from(count));
-        let count = count.unwrap_or(MOST_CHORDS);
+        let turn_rad = turn_rad(&scaled);
         let lengths = LengthShares::of(&scaled);
-        let t = |i: f64| i / f64::from(count);
-        let mut start = control[0];
-        for i in 0..count {
-            let end = bezier(&control, t(f64::from(i + 1)));
-            let ends = [start, end];
-            start = end;
-            let share = share(ends);
-            if share <= 0.0 {
-                continue;
+        let (mut start, mut first_t) = (control[0], 0.0);
+        // Between two turns of its course the cross-section changes one way.
+        for [[_, first], [at, last]] in course.turns(from, to) {
+            let last_t = match at < to {
+                true => lengths.parameter((at - from) / (to - from)),
+                false => 1.0,
+            };
+            let span = last_t - first_t;
+            let change = (track.change(last) - track.change(first)).abs();
+            let needed = (span * turn_rad / CHORD_RAD)
+                .max(change / CHORD_CHANGE)
+                .max(if is_even { 1.0 } else { 4.0 * span });
+            let count = cell_number(needed.ceil().clamp(1.0, MOST_CHORDS));
+            let place = |t: f64| course.value(from + (to - from) * lengths.at(t));
+            for i in 0..count {
+                let t = |i: f64| first_t + span * i / f64::from(count);
+                let ends = [start, bezier(&control, t(f64::from(i + 1)))];
+                start = ends[1];
+                let share = share(ends);
+                if share <= 0.0 {
+                    continue;
+                }
+                let middle_t = t(f64::from(i) + 0.5);
+                let (sides, classes) = track.ends_and_classes(place(middle_t));
+                let mean_width = if change > 0.0 {
+                    track.mean_width(place(t(f64::from(i))), place(t(f64::from(i + 1))))
+                } else {
+                    f64::from(sides[1] - sides[0])
+                };
+                let travel = (ends[1] - ends[0]) * self.units_per_uv;
+                let visible = visible[cell_number(4.0 * middle_t).min(3) as usize];
+                let area_mm2 = travel.length() * self.mm_per_scene_unit * mean_width * share;
+                visit(Chord {
+                    ends,
+                    classes,
+                    travel,
+                    area_mm2: crate::single(area_mm2 * visible),
+                });
             }
-            let at = from + (to - from) * lengths.at(t(f64::from(i) + 0.5));
-            let (sides, classes) = track.ends_and_classes(course.value(at));
-            let [left, right] = sides.map(f64::from);
-            let travel = (ends[1] - ends[0]) * self.units_per_uv;
-            let quarter = (4 * i + 2) / count;
-            let area_mm2 = travel.length() * self.mm_per_scene_unit * (right - left) * share;
-            visit(Chord {
-                ends,
-                classes,
-                travel,
-                area_mm2: crate::single(area_mm2 * visible[quarter.min(3) as usize]),
-            });
+            first_t = last_t;
         }
         self.for_each_cap_chord(number, share, &mut visit);
     }
