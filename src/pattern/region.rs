@@ -101,8 +101,7 @@ impl Region {
         if least >= 0.0 && most.is_finite() {
             return true;
         }
-        // Also where a number is none.
-        if !(most > 0.0) {
+        if most <= 0.0 || !most.is_finite() {
             self.count = 0;
             return false;
         }

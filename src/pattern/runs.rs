@@ -17,6 +17,11 @@ use glam::DVec2;
 /// this share of its half width or height.
 const MOST_CHANGE: f64 = 0.14;
 
+/// Parts that cover less than this share of the footprint may change more: as the root of how much less, up to so many
+/// times as much.
+const SMALL_PART: f64 = 0.02;
+const MOST_SLACK: f64 = 4.0;
+
 /// Where a scratch sets in, one end of a run is at least this share as wide as the other, as long as that one is wider
 /// than this share of the widest.
 const LEAST_WIDENING: f64 = 0.3;
@@ -66,6 +71,7 @@ impl Pattern {
             curves: self.curves(),
             reach,
             near: [low - mm, high + mm],
+            pixel_area: reach.footprint.area(),
             visit,
         };
         let mut pending: Option<Run<'p>> = None;
@@ -166,6 +172,7 @@ struct Walk<'a, 'p, V> {
     reach: &'a Reach<'a>,
     /// The footprint's box and what is within reach of it, mm.
     near: [DVec2; 2],
+    pixel_area: f64,
     visit: &'a mut V,
 }
 
@@ -222,8 +229,23 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
         self.is_straight(b - a, d - a)
             && self.is_straight(d - a, d - c)
             && self.is_straight(b - a, d - c)
-            && part.change(part.at[0]) <= MOST_CHANGE
-            && !part.sets_in()
+            && self.changes_little(part)
+    }
+
+    /// Whether one cross-section, the mean of all, will do.
+    fn changes_little(&self, part: &Part<'p>) -> bool {
+        if part.course.is_constant() {
+            return true;
+        }
+        let slack = self.slack(part);
+        part.change(part.at[0]) <= MOST_CHANGE * slack && (slack == MOST_SLACK || !part.sets_in())
+    }
+
+    /// How much more a part may change than one that covers much of the footprint.
+    fn slack(&self, part: &Part<'p>) -> f64 {
+        let area = 2.0 * part.track.half_width_mm * part.chord().length();
+        let small = SMALL_PART * self.pixel_area / area;
+        small.sqrt().clamp(1.0, MOST_SLACK)
     }
 
     /// The run with a piece more, if it goes on nearly straight.

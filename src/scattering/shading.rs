@@ -212,7 +212,7 @@ impl Shading {
             complete && few && self.add_each::<FEW_HITS>(pattern, &candidates, reach, FEW_HITS);
         if complete && !all {
             self.clear();
-            all = self.add_each::<MOST_HITS>(pattern, &candidates, reach, MOST_HITS / 2);
+            all = self.add_each::<MOST_HITS>(pattern, &candidates, reach, MOST_HITS / 4);
         }
         if !all {
             self.clear();
@@ -234,7 +234,7 @@ impl Shading {
 
     /// Adds each run by itself, less what later ones cut away; the smallest ones as a crowd where there is no room.
     /// False if there are more than `MOST` to be looked at, or a crowd finds no room: then some may have been added.
-    /// What only shades the pixel is left out from run `most_beside` on, not to crowd out what the pixel holds.
+    /// Of what only shades the pixel no more than `most_beside` count, not to crowd out what it holds.
     #[inline(never)]
     fn add_each<const MOST: usize>(
         &mut self,
@@ -244,9 +244,10 @@ impl Shading {
         most_beside: usize,
     ) -> bool {
         let mut hits: ArrayVec<Hit<'_>, MOST> = ArrayVec::new();
-        let mut all = true;
+        let (mut all, mut beside) = (true, 0);
         pattern.for_each_run(candidates, reach, &mut |hit| {
-            if hit.cover.is_some() || hits.len() < most_beside || most_beside == MOST {
+            beside += usize::from(hit.cover.is_none());
+            if hit.cover.is_some() || beside <= most_beside {
                 all &= hits.try_push(*hit).is_ok();
             }
         });
