@@ -78,7 +78,7 @@ fn parts_add_up() {
             let near = [[0.0, 0.0], [0.05 * side, 0.02], [0.1 * side, -0.08]];
             let name = format!("{name}, {end}");
             let worst = worst_of_parts(&name, &pattern, &near, sizes);
-            if worst >= 0.01 {
+            if worst >= 1e-3 {
                 failed.push(format!("{name}: {worst}"));
             }
         }

@@ -50,7 +50,7 @@ fn capacities() {
         let points = section.vertices();
         let share = (points[points.len() - 1].x - points[0].x) / 180.0;
         assert!(
-            (f64::from(hit.coverage) / share - 1.0).abs() < 0.02,
+            (f64::from(hit.coverage) / share - 1.0).abs() < 1e-4,
             "{hit:?}: {share}"
         );
     }

@@ -142,14 +142,13 @@ fn torus() {
 /// An S over a bent panel of two charts, one mirrored: smooth in each, parted once.
 #[test]
 fn panel() {
-    for cells in [8, 24, 64] {
+    for (cells, most) in [(8, 0.3), (24, 0.1), (64, 0.02)] {
         let mesh = Mesh::panel(cells);
         let s = |t: f64| {
             let p = DVec2::new(800.0 * t - 400.0, 150.0 * (TAU * t).sin());
             on_panel(p) + DVec3::new(0.0, 0.0, 0.5)
         };
         let points = beziers(s, 12, false);
-        let most = 300.0 / f64::from(cells * cells);
         let name = format!("panel of {cells}");
         let curves = check(&name, &mesh, &points, false, most);
         let parted = curves.iter().filter(|curve| !curve.joins).count();
@@ -195,7 +194,7 @@ fn sphere() {
             5.1 * (a * x + b * y)
         };
         let points = beziers(round, 16, true);
-        check(&format!("sphere {normal}"), &mesh, &points, true, 0.02);
+        check(&format!("sphere {normal}"), &mesh, &points, true, 0.01);
     }
 }
 
@@ -208,7 +207,9 @@ fn flat() {
         [60.0, -20.0, 0.0],
         [90.0, 80.0, -3.0],
     ];
-    let curves = check("plate", &plate(), &points, false, 3e-3);
+    let curves = check("plate", &plate(), &points, false, 1.5e-3);
     assert!(curves.len() <= 32, "{} curves", curves.len());
+    let joined = curves[1..].iter().all(|curve| curve.joins);
+    assert!(joined, "parted on its way");
     assert!(worst_kink(&curves, DVec2::ONE) < 1e-9, "kinks");
 }
