@@ -106,7 +106,8 @@ pub struct StriaeLayer {
     pub scratched: StriaeBrdf,
 }
 
-/// What is scratched. Set struct_size to sizeof(StriaeMaterial) first.
+/// What is scratched. Set struct_size to sizeof(StriaeMaterial), fill it with striae_material_metal() or
+/// striae_material_preset(), and change what you like.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeMaterial {
@@ -126,7 +127,8 @@ pub struct StriaeMaterial {
     pub surface: StriaeBrdf,
     /// How a scratch's zones reflect where it reaches the bulk of the material.
     pub scratched: StriaeBrdf,
-    /// Layers from the surface down; NULL for none. Read while the material is used in a call, not kept.
+    /// Layers from the surface down; NULL for none. They must live during each call that the material is given to, and no
+    /// longer.
     pub layers: *const StriaeLayer,
     /// How many layers, 4 at most.
     pub layer_count: usize,
@@ -279,7 +281,7 @@ fn metal_of(number: u32) -> Result<Metal> {
     ))
 }
 
-/// Fills in a diffuse base BRDF.
+/// Fills in a diffuse base BRDF. Allocates nothing.
 ///
 /// @param albedo RGB, each 0 to 1
 /// @param brdf is written on success only
@@ -304,7 +306,7 @@ pub unsafe extern "C" fn striae_brdf_lambert(
     })
 }
 
-/// Fills in polished metal: GGX with the metal's own conductor Fresnel reflectance.
+/// Fills in a metal's base BRDF: GGX with the metal's own conductor Fresnel reflectance.
 ///
 /// @param metal a StriaeMetal
 /// @param alpha width of the distribution of slopes, 0.001 (mirror) to 1 (rough)
