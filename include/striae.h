@@ -1,25 +1,43 @@
 /*
  * striae: physically based scratches for renderers.
  *
- * Build time:  tool, material -> (cross-section) ; builder -> add scratches -> pattern
- *              (one by one, by the many from a generator, from a pattern file, from an SVG drawing)
- * Render time: striae_shade(pattern, point, view) once per shading point and view, then
- *              striae_eval(shading, light) per light. Neither allocates, locks or blocks.
- *              striae_pattern_query(pattern, point) for which scratches are there; nor does it.
+ * The calls that most programs need, in their order; c_examples/quickstart.c is a whole program:
+ *
+ *     striae_tool_preset()                       a tool; also from a mesh or a file: striae_tool_load()
+ *     striae_material_metal()                    what is scratched
+ *     striae_pattern_builder_new()               how large the surface is, and its material
+ *     striae_pattern_builder_add_scratch()       a path, and force and orientation along it; by the many:
+ *                                                striae_pattern_builder_generate(), _add_svg(), _load()
+ *     striae_pattern_builder_build()             the pattern, for all threads; then
+ *     striae_pattern_builder_free()
+ *
+ *     striae_frame(), striae_frame_to_local()    per shading point: directions in the surface's own frame
+ *     striae_shade()                             per shading point and view
+ *     striae_eval()                              per light: BRDF times cosine
+ *     striae_pattern_query()                     which scratches are there, for masks and labels
+ *
+ *     striae_pattern_release(), striae_tool_release()
  *
  * Units are in the names: lengths mm, forces kgf (9.80665 N), Vickers hardness kgf/mm^2, angles in
  * degrees. `view` and `light` both point away from the surface, in the local frame of striae_frame().
  *
  * Calls that can fail return a StriaeStatus; striae_last_error() then says which argument was refused,
- * what was given and what is accepted. Outputs are written on success only; handles become NULL on
- * failure. NULL arguments are refused, never dereferenced. Enumerations are passed as uint32_t.
+ * what was given and what is accepted. A number that is NaN or out of the range told is refused, and so is NULL
+ * where it is not said to do; it is never dereferenced. Outputs are written on success only; handles become NULL
+ * on failure. Arrays must be as long as their counts say. Enumerations are passed as uint32_t.
  *
- * Every call may be made from any number of threads at once, as long as no two write to the same output or
- * use the same builder. Calls before shading allocate and take time; arrays, texts and structures given to them
- * are copied. Where memory runs out the process ends, as in any Rust library.
+ * Structures with a struct_size are zero but for what is stated: StriaeScratch scratch = {.struct_size =
+ * sizeof scratch, .tool = tool, ...}. Any other size than this header's is refused.
  *
- * Handles are immutable and may be shared between threads; retain and release count references, may be
- * called from any thread, and accept NULL. A builder is used by one thread at a time.
+ * Arrays, texts and structures given to a call are copied, and handles given to it may be released after it.
+ * Handles are immutable and may be shared between threads: retain and release count references, may be called
+ * from any thread, and accept NULL. What a call makes has one reference, its caller's.
+ *
+ * Every call may be made from any number of threads at once, as long as no two write to the same output or file
+ * or use the same builder. Shading (striae_frame() and what follows it below) never allocates, locks or blocks, and
+ * gives the same with denormals flushed to zero. Calls before it allocate and take time; building and generating
+ * work on all cores (RAYON_NUM_THREADS in the environment says how many). Where memory runs out the process ends,
+ * as in any Rust library.
  */
 
 #ifndef STRIAE_H
@@ -61,7 +79,7 @@ typedef enum StriaeStatus {
    */
   STRIAE_STATUS_INVALID_ARGUMENT = 1,
   /**
-   * A fault of the library's own. Please report it.
+   * A fault of the library's own: it is caught, and what the call was to write may be there in part. Please report it.
    */
   STRIAE_STATUS_INTERNAL = 2,
   /**
@@ -71,7 +89,8 @@ typedef enum StriaeStatus {
 } StriaeStatus;
 
 /**
- * Tools by name. Where no standard is named, none gives the sizes: they are typical ones of our choosing.
+ * Tools by name. Where no standard is named, none gives the sizes: they are typical ones of our choosing. No scratch may be
+ * deeper than its tool is tall: 2 to 5 mm, the square graver 1.69 mm, the grain 0.125 mm.
  */
 typedef enum StriaeToolPreset {
   /**
@@ -126,51 +145,6 @@ typedef enum StriaeToolPreset {
 } StriaeToolPreset;
 
 /**
- * Kinds of base BRDF.
- */
-typedef enum StriaeBrdfKind {
-  /**
-   * Perfectly diffuse: `albedo`.
-   */
-  STRIAE_BRDF_KIND_LAMBERT = 0,
-  /**
-   * GGX microfacets with height-correlated Smith masking: `alpha` and a Fresnel reflectance.
-   */
-  STRIAE_BRDF_KIND_GGX = 1,
-  /**
-   * Rough and diffuse, by Oren and Nayar in Fujii's form: `albedo` and `roughness`.
-   */
-  STRIAE_BRDF_KIND_OREN_NAYAR = 2,
-  /**
-   * Phong's lobe, normalised: `specular` and `exponent`.
-   */
-  STRIAE_BRDF_KIND_PHONG = 3,
-  /**
-   * Cook-Torrance: Beckmann microfacets, masked as V-grooves: `alpha` and a Fresnel reflectance.
-   */
-  STRIAE_BRDF_KIND_COOK_TORRANCE = 4,
-  /**
-   * GGX of polishing lines, which run along the scratch, or on the flat surface along dp_du: `alpha_across`,
-   * `alpha_along` and a Fresnel reflectance.
-   */
-  STRIAE_BRDF_KIND_ANISOTROPIC_GGX = 5,
-} StriaeBrdfKind;
-
-/**
- * Kinds of Fresnel reflectance.
- */
-typedef enum StriaeFresnelKind {
-  /**
-   * Schlick's approximation from `f0`.
-   */
-  STRIAE_FRESNEL_KIND_SCHLICK = 0,
-  /**
-   * A conductor's exact reflectance from `eta` and `k`.
-   */
-  STRIAE_FRESNEL_KIND_CONDUCTOR = 1,
-} StriaeFresnelKind;
-
-/**
  * Metals with known hardness and optical constants.
  */
 typedef enum StriaeMetal {
@@ -217,6 +191,87 @@ typedef enum StriaeMetal {
 } StriaeMetal;
 
 /**
+ * Materials by name that are no metals.
+ */
+typedef enum StriaeMaterialPreset {
+  /**
+   * Acrylic glass (PMMA), opaque grey, 20 HV: springs back.
+   */
+  STRIAE_MATERIAL_PRESET_ACRYLIC = 0,
+  /**
+   * Soda-lime glass over a dark ground, 550 HV: brittle, little pile-up (an estimate), springs back by 0.45.
+   */
+  STRIAE_MATERIAL_PRESET_GLASS = 1,
+  /**
+   * Alumina, white, 1500 HV: brittle, little pile-up (an estimate).
+   */
+  STRIAE_MATERIAL_PRESET_CERAMIC = 2,
+} StriaeMaterialPreset;
+
+/**
+ * How steep the outer flanks of piled-up material are.
+ */
+typedef enum StriaePileUpLaw {
+  /**
+   * tan beta = -0.56 + 2.54 tan alpha (Bosch et al. 2004), at least a quarter of tan alpha.
+   */
+  STRIAE_PILE_UP_LAW_BOSCH2004 = 0,
+  /**
+   * tan beta = outer_slope.
+   */
+  STRIAE_PILE_UP_LAW_OUTER_SLOPE = 1,
+  /**
+   * No peaks at all.
+   */
+  STRIAE_PILE_UP_LAW_NONE = 2,
+} StriaePileUpLaw;
+
+/**
+ * Kinds of base BRDF.
+ */
+typedef enum StriaeBrdfKind {
+  /**
+   * Perfectly diffuse: `albedo`.
+   */
+  STRIAE_BRDF_KIND_LAMBERT = 0,
+  /**
+   * GGX microfacets with height-correlated Smith masking: `alpha` and a Fresnel reflectance.
+   */
+  STRIAE_BRDF_KIND_GGX = 1,
+  /**
+   * Rough and diffuse, by Oren and Nayar in Fujii's form: `albedo` and `roughness`.
+   */
+  STRIAE_BRDF_KIND_OREN_NAYAR = 2,
+  /**
+   * Phong's lobe, normalised: `specular` and `exponent`.
+   */
+  STRIAE_BRDF_KIND_PHONG = 3,
+  /**
+   * Cook-Torrance: Beckmann microfacets, masked as V-grooves: `alpha` and a Fresnel reflectance.
+   */
+  STRIAE_BRDF_KIND_COOK_TORRANCE = 4,
+  /**
+   * GGX of polishing lines, which run along the scratch, or on the flat surface along dp_du: `alpha_across`,
+   * `alpha_along` and a Fresnel reflectance.
+   */
+  STRIAE_BRDF_KIND_ANISOTROPIC_GGX = 5,
+} StriaeBrdfKind;
+
+/**
+ * Kinds of Fresnel reflectance.
+ */
+typedef enum StriaeFresnelKind {
+  /**
+   * Schlick's approximation from `f0`.
+   */
+  STRIAE_FRESNEL_KIND_SCHLICK = 0,
+  /**
+   * A conductor's exact reflectance from `eta` and `k`.
+   */
+  STRIAE_FRESNEL_KIND_CONDUCTOR = 1,
+} StriaeFresnelKind;
+
+/**
  * Laws that give a groove's depth.
  */
 typedef enum StriaeDepthLaw {
@@ -234,6 +289,53 @@ typedef enum StriaeDepthLaw {
    */
   STRIAE_DEPTH_LAW_STATED = 2,
 } StriaeDepthLaw;
+
+/**
+ * A measure of a scratch that its author wants.
+ */
+typedef enum StriaeWanted {
+  /**
+   * Depth of the groove below the surface.
+   */
+  STRIAE_WANTED_DEPTH = 0,
+  /**
+   * Width of the groove at the surface.
+   */
+  STRIAE_WANTED_GROOVE_WIDTH = 1,
+  /**
+   * Width between the two crests.
+   */
+  STRIAE_WANTED_CREST_WIDTH = 2,
+} StriaeWanted;
+
+/**
+ * How much a plot says.
+ */
+typedef enum StriaePlotStyle {
+  /**
+   * Axes around the drawing; every zone, area, width and angle labelled.
+   */
+  STRIAE_PLOT_STYLE_ANNOTATED = 0,
+  /**
+   * To be set under another picture of the same place and width: the drawing fills the image to its edges, its
+   * scales lie within, and nothing but the title is written on it.
+   */
+  STRIAE_PLOT_STYLE_STRIP = 1,
+} StriaePlotStyle;
+
+/**
+ * What a scratch's spin and azimuth are relative to.
+ */
+typedef enum StriaeHeld {
+  /**
+   * The direction of travel: the hand turns with the path. Azimuth 0 leans forward, 90 to the left.
+   */
+  STRIAE_HELD_TO_PATH = 0,
+  /**
+   * The surface: the hand does not turn while the path does. Azimuth 0 leans towards u, 90 towards v.
+   */
+  STRIAE_HELD_TO_SURFACE = 1,
+} StriaeHeld;
 
 /**
  * Kinds of path: what its points mean, and how many there must be.
@@ -270,107 +372,6 @@ typedef enum StriaeCurve {
    */
   STRIAE_CURVE_NON_UNIFORM_B_SPLINE = 4,
 } StriaeCurve;
-
-/**
- * What a pixel covers of the surface around a point.
- */
-typedef enum StriaeFootprint {
-  /**
-   * Nothing but the point itself.
-   */
-  STRIAE_FOOTPRINT_POINT = 0,
-  /**
-   * A square along x and y that reaches `radius` scene units from the point on each side.
-   */
-  STRIAE_FOOTPRINT_RADIUS = 1,
-  /**
-   * The parallelogram centred on the point with edges `duv_dx` and `duv_dy`.
-   */
-  STRIAE_FOOTPRINT_DIFFERENTIALS = 2,
-} StriaeFootprint;
-
-/**
- * What a scratch's spin and azimuth are relative to.
- */
-typedef enum StriaeHeld {
-  /**
-   * The direction of travel: the hand turns with the path. Azimuth 0 leans forward, 90 to the left.
-   */
-  STRIAE_HELD_TO_PATH = 0,
-  /**
-   * The surface: the hand does not turn while the path does. Azimuth 0 leans towards u, 90 towards v.
-   */
-  STRIAE_HELD_TO_SURFACE = 1,
-} StriaeHeld;
-
-/**
- * How steep the outer flanks of piled-up material are.
- */
-typedef enum StriaePileUpLaw {
-  /**
-   * tan beta = -0.56 + 2.54 tan alpha (Bosch et al. 2004), at least a quarter of tan alpha.
-   */
-  STRIAE_PILE_UP_LAW_BOSCH2004 = 0,
-  /**
-   * tan beta = outer_slope.
-   */
-  STRIAE_PILE_UP_LAW_OUTER_SLOPE = 1,
-  /**
-   * No peaks at all.
-   */
-  STRIAE_PILE_UP_LAW_NONE = 2,
-} StriaePileUpLaw;
-
-/**
- * Materials by name that are no metals.
- */
-typedef enum StriaeMaterialPreset {
-  /**
-   * Acrylic glass (PMMA), opaque grey, 20 HV: springs back.
-   */
-  STRIAE_MATERIAL_PRESET_ACRYLIC = 0,
-  /**
-   * Soda-lime glass over a dark ground, 550 HV: brittle, little pile-up (an estimate), springs back by 0.45.
-   */
-  STRIAE_MATERIAL_PRESET_GLASS = 1,
-  /**
-   * Alumina, white, 1500 HV: brittle, little pile-up (an estimate).
-   */
-  STRIAE_MATERIAL_PRESET_CERAMIC = 2,
-} StriaeMaterialPreset;
-
-/**
- * A measure of a scratch that its author wants.
- */
-typedef enum StriaeWanted {
-  /**
-   * Depth of the groove below the surface.
-   */
-  STRIAE_WANTED_DEPTH = 0,
-  /**
-   * Width of the groove at the surface.
-   */
-  STRIAE_WANTED_GROOVE_WIDTH = 1,
-  /**
-   * Width between the two crests.
-   */
-  STRIAE_WANTED_CREST_WIDTH = 2,
-} StriaeWanted;
-
-/**
- * How much a plot says.
- */
-typedef enum StriaePlotStyle {
-  /**
-   * Axes around the drawing; every zone, area, width and angle labelled.
-   */
-  STRIAE_PLOT_STYLE_ANNOTATED = 0,
-  /**
-   * To be set under another picture of the same place and width: the drawing fills the image to its edges, its
-   * scales lie within, and nothing but the title is written on it.
-   */
-  STRIAE_PLOT_STYLE_STRIP = 1,
-} StriaePlotStyle;
 
 /**
  * Generators by name. All numbers are of our choosing: somewhere to begin. Forces suit metals and a sharp tool, such
@@ -423,6 +424,24 @@ typedef enum StriaeDistributionKind {
 } StriaeDistributionKind;
 
 /**
+ * What a pixel covers of the surface around a point.
+ */
+typedef enum StriaeFootprint {
+  /**
+   * Nothing but the point itself.
+   */
+  STRIAE_FOOTPRINT_POINT = 0,
+  /**
+   * A square along x and y that reaches `radius` scene units from the point on each side.
+   */
+  STRIAE_FOOTPRINT_RADIUS = 1,
+  /**
+   * The parallelogram centred on the point with edges `duv_dx` and `duv_dy`.
+   */
+  STRIAE_FOOTPRINT_DIFFERENTIALS = 2,
+} StriaeFootprint;
+
+/**
  * A scratch's cross-section. Immutable; any thread may use it; reference-counted.
  */
 typedef struct StriaeCrossSection StriaeCrossSection;
@@ -438,7 +457,7 @@ typedef struct StriaeHardnessMap StriaeHardnessMap;
 typedef struct StriaePattern StriaePattern;
 
 /**
- * Collects scratches. One thread at a time.
+ * Collects scratches. One thread at a time; whoever made it frees it.
  */
 typedef struct StriaePatternBuilder StriaePatternBuilder;
 
@@ -522,7 +541,8 @@ typedef struct StriaeLayer {
 } StriaeLayer;
 
 /**
- * What is scratched. Set struct_size to sizeof(StriaeMaterial) first.
+ * What is scratched. Set struct_size to sizeof(StriaeMaterial), fill it with striae_material_metal() or
+ * striae_material_preset(), and change what you like.
  */
 typedef struct StriaeMaterial {
   /**
@@ -558,7 +578,8 @@ typedef struct StriaeMaterial {
    */
   struct StriaeBrdf scratched;
   /**
-   * Layers from the surface down; NULL for none. Read while the material is used in a call, not kept.
+   * Layers from the surface down; NULL for none. They must live during each call that the material is given to, and no
+   * longer.
    */
   const struct StriaeLayer *layers;
   /**
@@ -580,7 +601,7 @@ typedef struct StriaeProcess {
    */
   uint32_t depth_law;
   /**
-   * Normal force, kgf, 0 to 100000.
+   * Normal force, kgf, 0 to 100000: does not count under STRIAE_DEPTH_LAW_STATED.
    */
   double force_kgf;
   /**
@@ -588,15 +609,15 @@ typedef struct StriaeProcess {
    */
   double depth_mm;
   /**
-   * Spin about the tool's own axis, counter-clockwise from above, degrees.
+   * Spin about the tool's own axis, counter-clockwise from above, degrees, -3600 to 3600.
    */
   double spin_deg;
   /**
-   * Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+   * Angle between the tool's axis and the surface normal, degrees, 0 to 85; less than lays its flank on the surface.
    */
   double tilt_deg;
   /**
-   * Where the axis leans to: 0 = forward, 90 = left of travel, degrees.
+   * Where the axis leans to: 0 = forward, 90 = left of travel, degrees, -3600 to 3600.
    */
   double azimuth_deg;
 } StriaeProcess;
@@ -628,7 +649,8 @@ typedef struct StriaePeak {
 } StriaePeak;
 
 /**
- * Measures of a cross-section; all 0 where the force left no scratch. Set struct_size first.
+ * Measures of a cross-section; all 0 where the force left no scratch, lengths after elastic recovery. Set struct_size to
+ * sizeof(StriaeCrossSectionInfo).
  */
 typedef struct StriaeCrossSectionInfo {
   /**
@@ -683,7 +705,7 @@ typedef struct StriaePlotOptions {
    */
   const char *title;
   /**
-   * What is shown across the scratch, from and to, mm, -10000 to 10000; both 0 for what fits.
+   * What is shown across the scratch, from and to (above from), mm, -10000 to 10000; both 0 for what fits.
    */
   double x_mm[2];
   /**
@@ -707,7 +729,8 @@ typedef struct StriaeReading {
 } StriaeReading;
 
 /**
- * Scale of a pattern. Set struct_size to sizeof(StriaePatternOptions).
+ * Scale of a pattern. Texture space is not wrapped: scratches lie where they were drawn, once, at any (u, v). Set
+ * struct_size to sizeof(StriaePatternOptions).
  */
 typedef struct StriaePatternOptions {
   /**
@@ -734,7 +757,7 @@ typedef struct StriaeKey {
    */
   double at;
   /**
-   * Normal force, kgf, 0 to 100000.
+   * Normal force, kgf, 0 to 100000: does not count under STRIAE_DEPTH_LAW_STATED.
    */
   double force_kgf;
   /**
@@ -742,21 +765,22 @@ typedef struct StriaeKey {
    */
   double depth_mm;
   /**
-   * Spin about the tool's own axis, counter-clockwise from above, degrees.
+   * Spin about the tool's own axis, counter-clockwise from above, degrees, -3600 to 3600.
    */
   double spin_deg;
   /**
-   * Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+   * Angle between the tool's axis and the surface normal, degrees, 0 to 85; less than lays its flank on the surface.
    */
   double tilt_deg;
   /**
-   * Where the axis leans to, degrees.
+   * Where the axis leans to, degrees, -3600 to 3600: StriaeHeld says from where.
    */
   double azimuth_deg;
 } StriaeKey;
 
 /**
- * One scratch: a tool drawn along a path. Set struct_size to sizeof(StriaeScratch).
+ * One scratch: a tool drawn along a path. Set struct_size to sizeof(StriaeScratch). A scratch ends hard, with the tool's
+ * own print, where it is pressed at an open end, and runs out softly where force or depth are 0 there.
  */
 typedef struct StriaeScratch {
   /**
@@ -764,7 +788,7 @@ typedef struct StriaeScratch {
    */
   size_t struct_size;
   /**
-   * The tool.
+   * The tool; the pattern keeps what it needs of it.
    */
   const struct StriaeTool *tool;
   /**
@@ -784,11 +808,11 @@ typedef struct StriaeScratch {
    */
   uint32_t held;
   /**
-   * The path's points in texture space, (u, v) each; NULL with a surface.
+   * The path's points in texture space, (u, v) each, -1e9 to 1e9; not read with a surface.
    */
   const double (*points_uv)[2];
   /**
-   * How many points.
+   * How many points, `points_uv` or `points_xyz`: StriaeCurve says how many there must be.
    */
   size_t point_count;
   /**
@@ -821,7 +845,7 @@ typedef struct StriaeScratch {
    */
   const struct StriaeSurface *surface;
   /**
-   * The path's points in the mesh's own coordinates, point_count of them; NULL without a surface.
+   * The path's points in the mesh's own coordinates, -1e9 to 1e9, point_count of them; not read without a surface.
    */
   const double (*points_xyz)[3];
 } StriaeScratch;
@@ -836,33 +860,34 @@ typedef struct StriaeDistribution {
    */
   uint32_t kind;
   /**
-   * Least.
+   * Least: the quantity's field says what there may be.
    */
   double from;
   /**
-   * Most.
+   * Most, not below `from`.
    */
   double to;
   /**
-   * Normal: the mean; log-normal: the median; both before the cut, and between `from` and `to`.
+   * Normal: the mean; log-normal: the median, above 0; both before the cut, and between `from` and `to`.
    */
   double middle;
   /**
-   * Normal and log-normal.
+   * Normal and log-normal: the standard deviation.
    */
   double deviation;
   /**
-   * Power law.
+   * Power law: the density falls like the value to the power of minus this.
    */
   double exponent;
   /**
-   * Exponential.
+   * Exponential: the density falls by a factor e with each.
    */
   double decay;
 } StriaeDistribution;
 
 /**
- * Scratches by the many. Fill it with striae_generator_preset() and change what you like.
+ * Scratches by the many. Set struct_size to sizeof(StriaeGenerator), fill it with striae_generator_preset() and change what
+ * you like.
  */
 typedef struct StriaeGenerator {
   /**
@@ -874,7 +899,7 @@ typedef struct StriaeGenerator {
    */
   uint32_t count;
   /**
-   * How many on each cm² of the area, 0 to 1e8, where `count` is 0.
+   * How many on each cm² of the area, 0 to 1e8, where `count` is 0; in all rounded to a whole number, 1e8 at most.
    */
   double per_cm2;
   /**
@@ -933,15 +958,15 @@ typedef struct StriaeGenerator {
    */
   double spin_spread_deg;
   /**
-   * Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+   * Angle between the tool's axis and the surface normal, degrees, 0 to 85; less than lays its flank on the surface.
    */
   double tilt_deg;
   /**
-   * Where the axis leans to, degrees, -3600 to 3600.
+   * Where the axis leans to, degrees, -3600 to 3600: StriaeHeld says from where.
    */
   double azimuth_deg;
   /**
-   * A StriaeHeld.
+   * A StriaeHeld; STRIAE_HELD_TO_SURFACE gives each scratch cross-sections of its own, which takes memory.
    */
   uint32_t held;
   /**
@@ -960,7 +985,7 @@ typedef struct StriaeSvgOptions {
    */
   size_t struct_size;
   /**
-   * The tool.
+   * The tool; the pattern keeps what it needs of it.
    */
   const struct StriaeTool *tool;
   /**
@@ -994,29 +1019,30 @@ typedef struct StriaeSvgOptions {
    */
   double taper[2];
   /**
-   * Spin about the tool's own axis, counter-clockwise from above, degrees.
+   * Spin about the tool's own axis, counter-clockwise from above, degrees, -3600 to 3600.
    */
   double spin_deg;
   /**
-   * Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+   * Angle between the tool's axis and the surface normal, degrees, 0 to 85; less than lays its flank on the surface.
    */
   double tilt_deg;
   /**
-   * Where the axis leans to, degrees.
+   * Where the axis leans to, degrees, -3600 to 3600: StriaeHeld says from where.
    */
   double azimuth_deg;
 } StriaeSvgOptions;
 
 /**
- * A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's.
+ * A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's, world space say. A
+ * footprint is below 1e12 mm long.
  */
 typedef struct StriaePoint {
   /**
-   * Texture coordinates.
+   * Texture coordinates: any finite numbers, not wrapped.
    */
   double uv[2];
   /**
-   * Derivative of position by u, scene units.
+   * Derivative of position by u, scene units. It and `dp_dv` span the tangent plane, at any angle and either way round.
    */
   float dp_du[3];
   /**
@@ -1032,15 +1058,15 @@ typedef struct StriaePoint {
    */
   uint32_t footprint;
   /**
-   * Scene units.
+   * STRIAE_FOOTPRINT_RADIUS: scene units, above 0.
    */
   float radius;
   /**
-   * Change of (u, v) by one pixel in x.
+   * STRIAE_FOOTPRINT_DIFFERENTIALS: change of (u, v) by one pixel in x.
    */
   float duv_dx[2];
   /**
-   * Change of (u, v) by one pixel in y.
+   * STRIAE_FOOTPRINT_DIFFERENTIALS: change of (u, v) by one pixel in y. One of both may be 0, as an edge of a line.
    */
   float duv_dy[2];
 } StriaePoint;
@@ -1069,12 +1095,12 @@ typedef struct StriaeFrame {
  */
 typedef struct StriaeShading {
   /**
-   * How much of what the pixel shows belongs to scratches, 0 to 1.
+   * How much of what the pixel shows belongs to scratches, as seen from `view`, 0 to 1.
    */
   float coverage;
   /**
-   * How many scratches the footprint holds. Where they are too many to be looked at one by one, how many
-   * cross-sections and directions they were summed up by.
+   * How many scratches run through the footprint, those included that later ones cut away. Where they are too many to be
+   * looked at one by one, how many cross-sections and directions they were summed up by.
    */
   uint32_t scratch_count;
   /**
@@ -1089,11 +1115,13 @@ typedef struct StriaeShading {
  */
 typedef struct StriaeHit {
   /**
-   * Number of the scratch in order of adding, from 0: those of a generator or a file count one by one.
+   * Number of the scratch in order of adding, from 0: those of a generator or a file count one by one. Add those first
+   * whose numbers are to be known beforehand.
    */
   uint32_t scratch;
   /**
-   * The share of the footprint that the scratch covers with its rims, less what later scratches cut: above 0, to 1.
+   * The share of the footprint that the scratch covers with its rims, less what later scratches cut: above 0, to 1. Where
+   * the footprint holds more than 128 runs of scratch, less what later ones cut on average.
    */
   float coverage;
   /**
@@ -1124,7 +1152,7 @@ typedef struct StriaeHit {
  */
 typedef struct StriaeHitCount {
   /**
-   * Hits that were written: the smaller one of `found` and the capacity.
+   * Hits that were written, from the first on: the smaller one of `found` and the capacity.
    */
   size_t written;
   /**
@@ -1148,8 +1176,9 @@ extern "C" {
 uint32_t striae_version(void);
 
 /**
- * The text of this thread's last failed call: which argument, what was given, what is accepted. UTF-8,
- * never NULL, empty before the first failure. Valid until this thread's next failure.
+ * The text of this thread's last failed call: which argument, what was given, what is accepted. UTF-8, cut after 511
+ * bytes, never NULL, empty before the first failure. The library's own: valid until this thread fails again or ends. Calls
+ * that succeed leave it as it is. Allocates nothing.
  */
 const char *striae_last_error(void);
 
@@ -1158,7 +1187,7 @@ const char *striae_last_error(void);
  *
  * @param half_angle_deg angle between flank and axis, 5 to 85
  * @param tip_radius_mm 0 (sharp) to 100
- * @param height_mm 1e-6 to 1000, and taller than the rounded tip; a scratch may not be deeper
+ * @param height_mm 1e-6 to 1000, and taller than the rounded tip; no scratch may be deeper
  * @param tool receives a handle to release with striae_tool_release(); NULL on failure
  */
 enum StriaeStatus striae_tool_sphero_cone(double half_angle_deg,
@@ -1225,7 +1254,7 @@ enum StriaeStatus striae_tool_profile(const double (*points_mm)[2],
                                       struct StriaeTool **tool);
 
 /**
- * Makes a tool by name.
+ * Makes a tool by name. From a 3D model: striae_tool_load().
  *
  * @param preset a StriaeToolPreset
  * @param tool receives a handle to release with striae_tool_release(); NULL on failure
@@ -1241,6 +1270,340 @@ void striae_tool_retain(const struct StriaeTool *tool);
  * Drops a reference; the last one frees the tool. NULL is fine.
  */
 void striae_tool_release(const struct StriaeTool *tool);
+
+/**
+ * Fills in a diffuse base BRDF. Allocates nothing.
+ *
+ * @param albedo RGB, each 0 to 1
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_lambert(const float albedo[3], struct StriaeBrdf *brdf);
+
+/**
+ * Fills in a rough diffuse base BRDF: Oren-Nayar.
+ *
+ * @param albedo RGB, each 0 to 1
+ * @param roughness 0 (Lambert) to 1 (as rough as can be), without a unit
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_oren_nayar(const float albedo[3],
+                                         float roughness,
+                                         struct StriaeBrdf *brdf);
+
+/**
+ * Fills in a normalised Phong lobe.
+ *
+ * @param specular RGB, each 0 to 1
+ * @param exponent of the lobe's cosine, 1 (wide) to 100000 (sharp)
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_phong(const float specular[3],
+                                    float exponent,
+                                    struct StriaeBrdf *brdf);
+
+/**
+ * Fills in GGX microfacets with Schlick's Fresnel reflectance. For Cook-Torrance set `kind` afterwards; for polishing
+ * lines `kind` and whichever of `alpha_across` and `alpha_along` differs.
+ *
+ * @param f0 reflectance at normal incidence, RGB, each 0 to 1
+ * @param alpha width of the distribution of slopes, 0.001 (mirror) to 1 (rough)
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_schlick(const float f0[3],
+                                      float alpha,
+                                      struct StriaeBrdf *brdf);
+
+/**
+ * Fills in a metal's base BRDF: GGX with its own conductor Fresnel reflectance. For Cook-Torrance set `kind`
+ * afterwards; for polishing lines `kind` and whichever of `alpha_across` and `alpha_along` differs.
+ *
+ * @param metal a StriaeMetal
+ * @param alpha width of the distribution of slopes, 0.001 (mirror) to 1 (rough)
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_metal(uint32_t metal,
+                                    float alpha,
+                                    struct StriaeBrdf *brdf);
+
+/**
+ * Fills in a metal: its hardness, a satin surface (GGX alpha 0.3) and smoother scratches (0.15), flowing as the
+ * metals of Bosch et al. 2004 do: nothing is lost, nothing springs back. No layers.
+ *
+ * @param metal a StriaeMetal
+ * @param material with struct_size set; the rest is written on success only
+ */
+enum StriaeStatus striae_material_metal(uint32_t metal,
+                                        struct StriaeMaterial *material);
+
+/**
+ * Fills in a material by name. No layers.
+ *
+ * @param preset a StriaeMaterialPreset
+ * @param material with struct_size set; the rest is written on success only
+ */
+enum StriaeStatus striae_material_preset(uint32_t preset, struct StriaeMaterial *material);
+
+/**
+ * Sets a material's pile-up fraction and elastic recovery from its plasticity, by a fit to finite-element
+ * scratches (yield strain 5e-4 to 0.01, hardening 0.1 to 0.5).
+ *
+ * @param yield_strain yield stress over Young's modulus, 1e-4 to 0.1
+ * @param hardening strain-hardening exponent, 0 to 0.6
+ * @param material a filled-in material; its pile-up law counts; two fields are written, on success only
+ */
+enum StriaeStatus striae_material_set_plasticity(double yield_strain,
+                                                 double hardening,
+                                                 struct StriaeMaterial *material);
+
+/**
+ * Forms the cross-section that a tool, held and pressed so, leaves in a material. A force too small for a scratch is no
+ * failure: all measures are 0. One that pushes the tool deeper than it is tall is refused.
+ *
+ * @param tool the tool
+ * @param material its hardness, pile-up and recovery count
+ * @param process how the tool is held and pressed
+ * @param cross_section receives a handle to release with striae_cross_section_release(); NULL on failure
+ */
+enum StriaeStatus striae_cross_section(const struct StriaeTool *tool,
+                                       const struct StriaeMaterial *material,
+                                       const struct StriaeProcess *process,
+                                       struct StriaeCrossSection **cross_section);
+
+/**
+ * Finds the process that leaves a scratch of a wanted size: the exact inverse of striae_cross_section().
+ *
+ * @param tool the tool
+ * @param material the material
+ * @param wanted a StriaeWanted
+ * @param value_mm how much of it, 1e-9 to 1000, and no more than the tool can leave
+ * @param process with struct_size, depth_law and angles set; its force_kgf (0 under STRIAE_DEPTH_LAW_STATED) and
+ *     depth_mm are written, on success only
+ */
+enum StriaeStatus striae_process_for(const struct StriaeTool *tool,
+                                     const struct StriaeMaterial *material,
+                                     uint32_t wanted,
+                                     double value_mm,
+                                     struct StriaeProcess *process);
+
+/**
+ * Measures a cross-section.
+ *
+ * @param cross_section the cross-section
+ * @param info with struct_size set; the rest is written on success only
+ */
+enum StriaeStatus striae_cross_section_info(const struct StriaeCrossSection *cross_section,
+                                            struct StriaeCrossSectionInfo *info);
+
+/**
+ * Writes a cross-section's points (x, z), mm, from left to right of travel; the surface is at z = 0.
+ *
+ * @param cross_section the cross-section
+ * @param xz_mm room for `capacity` points; may be NULL, to ask for the count alone
+ * @param capacity how many points there is room for; what does not fit is left out
+ * @param count receives how many points the cross-section has, also where fewer were written; may be NULL
+ */
+enum StriaeStatus striae_cross_section_vertices(const struct StriaeCrossSection *cross_section,
+                                                double (*xz_mm)[2],
+                                                size_t capacity,
+                                                size_t *count);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_cross_section_retain(const struct StriaeCrossSection *cross_section);
+
+/**
+ * Drops a reference; the last one frees the cross-section. NULL is fine.
+ */
+void striae_cross_section_release(const struct StriaeCrossSection *cross_section);
+
+/**
+ * Draws a cross-section into a file: as PNG or as SVG, by the end of the file's name.
+ *
+ * Zones have their colours, lengths are in µm, and the picture says by how much heights are exaggerated. The same
+ * cross-section gives the same picture on every machine. A file that cannot be written, and a
+ * name that ends otherwise, are answered with STRIAE_STATUS_FILE.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param cross_section the cross-section; one without a scratch is a flat line
+ * @param path the file's path, ending in .png or .svg, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param width_px 64 to 8192
+ * @param height_px 64 to 8192
+ * @param options what else the plot is to be; may be NULL
+ */
+enum StriaeStatus striae_plot_cross_section(const struct StriaeCrossSection *cross_section,
+                                            const char *path,
+                                            uint32_t width_px,
+                                            uint32_t height_px,
+                                            const struct StriaePlotOptions *options);
+
+/**
+ * Makes a hardness map from a texture over u and v from 0 to 1: bilinear between texel centres, clamped beyond.
+ *
+ * @param values width times height values, row by row, the first row at v = 1 (as images are stored)
+ * @param width texels in a row, 1 or more
+ * @param height rows, 1 or more; width times height is 2^28 at most
+ * @param from_hv hardness that a value of 0 means, 0.01 to 20000
+ * @param to_hv hardness that a value of 1 means, 0.01 to 20000; every value must lead into that range
+ * @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
+ */
+enum StriaeStatus striae_hardness_map_texture(const float *values,
+                                              size_t width,
+                                              size_t height,
+                                              double from_hv,
+                                              double to_hv,
+                                              struct StriaeHardnessMap **map);
+
+/**
+ * Makes a hardness map from indentation readings: natural-neighbour interpolation, clamped outside their hull.
+ *
+ * @param readings one or more, anywhere; of several at the same place the last counts
+ * @param reading_count 1 to 10000000
+ * @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
+ */
+enum StriaeStatus striae_hardness_map_readings(const struct StriaeReading *readings,
+                                               size_t reading_count,
+                                               struct StriaeHardnessMap **map);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_hardness_map_retain(const struct StriaeHardnessMap *map);
+
+/**
+ * Drops a reference; the last one frees the map. NULL is fine.
+ */
+void striae_hardness_map_release(const struct StriaeHardnessMap *map);
+
+/**
+ * Makes a surface of a triangle mesh. Where texture space has a seam the vertices are there twice, as renderers have
+ * them: those at exactly the same position count as one place of the surface. Either winding will do, also a
+ * mixture; charts may be mirrored. Triangles without area, in space or in texture space, are left out.
+ *
+ * @param positions vertex_count positions, scene units, each coordinate -1e7 to 1e7; copied
+ * @param uv vertex_count texture coordinates, -1e9 to 1e9; copied
+ * @param vertex_count how many vertices
+ * @param triangles triangle_count times three vertex indices; copied
+ * @param triangle_count how many triangles, below 2^32; one or more must have area
+ * @param surface receives a handle to release with striae_surface_release(); NULL on failure
+ */
+enum StriaeStatus striae_surface_new(const double (*positions)[3],
+                                     const double (*uv)[2],
+                                     size_t vertex_count,
+                                     const uint32_t (*triangles)[3],
+                                     size_t triangle_count,
+                                     struct StriaeSurface **surface);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_surface_retain(const struct StriaeSurface *surface);
+
+/**
+ * Drops a reference; the last one frees the surface. NULL is fine.
+ */
+void striae_surface_release(const struct StriaeSurface *surface);
+
+/**
+ * Begins a pattern on an unscratched surface; striae_pattern_builder_load() begins one with all that a file holds.
+ *
+ * @param surface the surface's material (a StriaeSurface is something else: a mesh to draw on)
+ * @param options scale
+ * @param builder receives a builder to free with striae_pattern_builder_free(); NULL on failure
+ */
+enum StriaeStatus striae_pattern_builder_new(const struct StriaeMaterial *surface,
+                                             const struct StriaePatternOptions *options,
+                                             struct StriaePatternBuilder **builder);
+
+/**
+ * Lets the surface's hardness vary: scratches added from now on meet the map along their way instead of the
+ * material's own hardness. Scratches with a material of their own keep that one's.
+ *
+ * @param builder the builder; keeps a copy
+ * @param map the map
+ */
+enum StriaeStatus striae_pattern_builder_set_hardness(struct StriaePatternBuilder *builder,
+                                                      const struct StriaeHardnessMap *map);
+
+/**
+ * Adds a scratch on top of those before it: where they cross, it cuts them. Everything is copied; if it is refused, the
+ * builder is as it was.
+ *
+ * @param builder the builder
+ * @param scratch the scratch
+ */
+enum StriaeStatus striae_pattern_builder_add_scratch(struct StriaePatternBuilder *builder,
+                                                     const struct StriaeScratch *scratch);
+
+/**
+ * Builds the pattern of all scratches added so far, none being fine, on all cores. The builder stays usable.
+ *
+ * @param builder the builder
+ * @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
+ */
+enum StriaeStatus striae_pattern_builder_build(const struct StriaePatternBuilder *builder,
+                                               struct StriaePattern **pattern);
+
+/**
+ * Frees a builder. Patterns built with it live on. NULL is fine.
+ */
+void striae_pattern_builder_free(struct StriaePatternBuilder *builder);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_pattern_retain(const struct StriaePattern *pattern);
+
+/**
+ * Drops a reference; the last one frees the pattern. NULL is fine.
+ */
+void striae_pattern_release(const struct StriaePattern *pattern);
+
+/**
+ * Fills in a generator by name, for the unit square.
+ *
+ * @param style a StriaeStyle
+ * @param generator with struct_size set; the rest is written on success only
+ */
+enum StriaeStatus striae_generator_preset(uint32_t style, struct StriaeGenerator *generator);
+
+/**
+ * Adds generated scratches, on all cores; if one of them is refused, the builder is as it was. The same seed gives the same
+ * scratches on every machine and with any number of threads. For layers over each other call again, with other seeds.
+ *
+ * @param builder the builder
+ * @param generator how many, how long, how deep, which way and how bent
+ * @param tool the tool
+ * @param material another hardness and finish than the surface's for these scratches; NULL for the surface's own
+ * @param seed another seed, other scratches
+ */
+enum StriaeStatus striae_pattern_builder_generate(struct StriaePatternBuilder *builder,
+                                                  const struct StriaeGenerator *generator,
+                                                  const struct StriaeTool *tool,
+                                                  const struct StriaeMaterial *material,
+                                                  uint64_t seed);
+
+/**
+ * Adds a scratch along each stroked path of an SVG drawing; if one of them is refused, the builder is as it was.
+ *
+ * Paths, lines, polylines, polygons, rectangles, circles and ellipses count, where visible, under their transforms; fills,
+ * texts, images, clips, masks and dashes do not. A drawing is stretched where the area has other proportions; a stroke's
+ * width is then the geometric mean of both directions.
+ *
+ * A file that is missing, no SVG, without a size or without a stroked path, and a scratch that cannot be made, are answered
+ * with STRIAE_STATUS_FILE; striae_last_error() then names the file, the line and column or the path, what was found and what
+ * is accepted.
+ *
+ * Not in a library that was built without the cargo feature `svg` (it is on by default).
+ *
+ * @param builder the builder
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param options what scratches are made
+ */
+enum StriaeStatus striae_pattern_builder_add_svg(struct StriaePatternBuilder *builder,
+                                                 const char *path,
+                                                 const struct StriaeSvgOptions *options);
 
 /**
  * Makes a tool from a 3D model: OBJ, STL (text or binary) or PLY (text or binary), by the end of the file's name.
@@ -1297,9 +1660,10 @@ enum StriaeStatus striae_pattern_builder_load(const char *path,
 
 /**
  * Saves a built pattern to be opened again by striae_pattern_open(), on machines of the same byte order and by the same
- * version of the library: a cache, no file to keep. The file takes the place of an older one all at once.
+ * version of the library: a cache, no file to keep. It takes as much room as the pattern's memory. It is written beside
+ * and takes the place of an older one all at once; two threads must not save to one path at once, processes may.
  *
- * Where it cannot be written the answer is STRIAE_STATUS_FILE.
+ * Where it cannot be written the answer is STRIAE_STATUS_FILE, and an older file stays.
  *
  * Not in a library that was built without the cargo feature `files` (it is on by default).
  *
@@ -1311,7 +1675,9 @@ enum StriaeStatus striae_pattern_save(const struct StriaePattern *pattern,
 
 /**
  * Opens a saved pattern where it lies: what it holds is read when it is needed, so that opening takes no time however
- * large it is. The file must not be written to while it is open; putting another one in its place is fine.
+ * large it is, and processes that open one file share its memory. Shading may then have to wait for the disk. Until the
+ * pattern is freed the file must not be written to or cut short, or the process may end; putting another one in its place,
+ * as striae_pattern_save() does, is fine.
  *
  * A file that is missing, no saved pattern, of another version or byte order, cut short or damaged is answered with
  * STRIAE_STATUS_FILE. With `verify` 0 that is the header and all small arrays; a file whose large arrays are damaged opens,
@@ -1320,344 +1686,12 @@ enum StriaeStatus striae_pattern_save(const struct StriaePattern *pattern,
  * Not in a library that was built without the cargo feature `files` (it is on by default).
  *
  * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
- * @param verify 1: check every byte, which takes as long as reading the file; 0: check what takes no time
+ * @param verify 1: check every byte, which takes as long as reading the file; 0: check what takes no time; nothing else
  * @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
  */
 enum StriaeStatus striae_pattern_open(const char *path,
                                       uint32_t verify,
                                       struct StriaePattern **pattern);
-
-/**
- * Fills in a diffuse base BRDF.
- *
- * @param albedo RGB, each 0 to 1
- * @param brdf is written on success only
- */
-enum StriaeStatus striae_brdf_lambert(const float albedo[3], struct StriaeBrdf *brdf);
-
-/**
- * Fills in a rough diffuse base BRDF: Oren-Nayar.
- *
- * @param albedo RGB, each 0 to 1
- * @param roughness 0 (Lambert) to 1 (as rough as can be), without a unit
- * @param brdf is written on success only
- */
-enum StriaeStatus striae_brdf_oren_nayar(const float albedo[3],
-                                         float roughness,
-                                         struct StriaeBrdf *brdf);
-
-/**
- * Fills in a normalised Phong lobe.
- *
- * @param specular RGB, each 0 to 1
- * @param exponent of the lobe's cosine, 1 (wide) to 100000 (sharp)
- * @param brdf is written on success only
- */
-enum StriaeStatus striae_brdf_phong(const float specular[3],
-                                    float exponent,
-                                    struct StriaeBrdf *brdf);
-
-/**
- * Fills in GGX microfacets with Schlick's Fresnel reflectance. For Cook-Torrance set `kind` afterwards; for polishing
- * lines `kind` and whichever of `alpha_across` and `alpha_along` differs.
- *
- * @param f0 reflectance at normal incidence, RGB, each 0 to 1
- * @param alpha width of the distribution of slopes, 0.001 (mirror) to 1 (rough)
- * @param brdf is written on success only
- */
-enum StriaeStatus striae_brdf_schlick(const float f0[3],
-                                      float alpha,
-                                      struct StriaeBrdf *brdf);
-
-/**
- * Fills in polished metal: GGX with the metal's own conductor Fresnel reflectance. For Cook-Torrance set `kind`
- * afterwards; for polishing lines `kind` and whichever of `alpha_across` and `alpha_along` differs.
- *
- * @param metal a StriaeMetal
- * @param alpha width of the distribution of slopes, 0.001 (mirror) to 1 (rough)
- * @param brdf is written on success only
- */
-enum StriaeStatus striae_brdf_metal(uint32_t metal,
-                                    float alpha,
-                                    struct StriaeBrdf *brdf);
-
-/**
- * Fills in a metal: its hardness, a satin surface (GGX alpha 0.3) and smoother scratches (0.15), flowing as the
- * metals of Bosch et al. 2004 do: nothing is lost, nothing springs back. No layers.
- *
- * @param metal a StriaeMetal
- * @param material with struct_size set; the rest is written on success only
- */
-enum StriaeStatus striae_material_metal(uint32_t metal,
-                                        struct StriaeMaterial *material);
-
-/**
- * Fills in a material by name. No layers.
- *
- * @param preset a StriaeMaterialPreset
- * @param material with struct_size set; the rest is written on success only
- */
-enum StriaeStatus striae_material_preset(uint32_t preset, struct StriaeMaterial *material);
-
-/**
- * Sets a material's pile-up fraction and elastic recovery from its plasticity, by a fit to finite-element
- * scratches (yield strain 5e-4 to 0.01, hardening 0.1 to 0.5).
- *
- * @param yield_strain yield stress over Young's modulus, 1e-4 to 0.1
- * @param hardening strain-hardening exponent, 0 to 0.6
- * @param material a filled-in material; its pile-up law counts; two fields are written, on success only
- */
-enum StriaeStatus striae_material_set_plasticity(double yield_strain,
-                                                 double hardening,
-                                                 struct StriaeMaterial *material);
-
-/**
- * Forms the cross-section that a tool, held and pressed so, leaves in a material.
- *
- * @param tool the tool
- * @param material its hardness, pile-up and recovery count
- * @param process how the tool is held and pressed
- * @param cross_section receives a handle to release with striae_cross_section_release(); NULL on failure
- */
-enum StriaeStatus striae_cross_section(const struct StriaeTool *tool,
-                                       const struct StriaeMaterial *material,
-                                       const struct StriaeProcess *process,
-                                       struct StriaeCrossSection **cross_section);
-
-/**
- * Finds the process that leaves a scratch of a wanted size: the exact inverse of striae_cross_section().
- *
- * @param tool the tool
- * @param material the material
- * @param wanted a StriaeWanted
- * @param value_mm how much of it, 1e-9 to 1000
- * @param process with struct_size, depth_law and angles set; its force_kgf (0 under STRIAE_DEPTH_LAW_STATED) and
- *     depth_mm are written, on success only
- */
-enum StriaeStatus striae_process_for(const struct StriaeTool *tool,
-                                     const struct StriaeMaterial *material,
-                                     uint32_t wanted,
-                                     double value_mm,
-                                     struct StriaeProcess *process);
-
-/**
- * Measures a cross-section.
- *
- * @param cross_section the cross-section
- * @param info with struct_size set; the rest is written on success only
- */
-enum StriaeStatus striae_cross_section_info(const struct StriaeCrossSection *cross_section,
-                                            struct StriaeCrossSectionInfo *info);
-
-/**
- * Writes a cross-section's points (x, z), mm, from left to right of travel; the surface is at z = 0.
- *
- * @param cross_section the cross-section
- * @param xz_mm room for `capacity` points; NULL to ask for the count alone
- * @param capacity how many points there is room for; what does not fit is left out
- * @param count receives how many points the cross-section has; may be NULL
- */
-enum StriaeStatus striae_cross_section_vertices(const struct StriaeCrossSection *cross_section,
-                                                double (*xz_mm)[2],
-                                                size_t capacity,
-                                                size_t *count);
-
-/**
- * Adds a reference. NULL is fine.
- */
-void striae_cross_section_retain(const struct StriaeCrossSection *cross_section);
-
-/**
- * Drops a reference; the last one frees the cross-section. NULL is fine.
- */
-void striae_cross_section_release(const struct StriaeCrossSection *cross_section);
-
-/**
- * Draws a cross-section into a file: as PNG or as SVG, by the end of the file's name.
- *
- * Zones have their colours, lengths are in µm, and the picture says by how much heights are exaggerated. The same
- * cross-section gives the same picture on every machine. A file that cannot be written is answered with
- * STRIAE_STATUS_FILE.
- *
- * Not in a library that was built without the cargo feature `files` (it is on by default).
- *
- * @param cross_section the cross-section; one without a scratch is a flat line
- * @param path the file's path, ending in .png or .svg, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
- * @param width_px 64 to 8192
- * @param height_px 64 to 8192
- * @param options what else the plot is to be; may be NULL
- */
-enum StriaeStatus striae_plot_cross_section(const struct StriaeCrossSection *cross_section,
-                                            const char *path,
-                                            uint32_t width_px,
-                                            uint32_t height_px,
-                                            const struct StriaePlotOptions *options);
-
-/**
- * Makes a hardness map from a texture over u and v from 0 to 1: bilinear between texel centres, clamped beyond.
- *
- * @param values width times height values, row by row, the first row at v = 1 (as images are stored)
- * @param width texels in a row
- * @param height rows
- * @param from_hv hardness that a value of 0 means, 0.01 to 20000
- * @param to_hv hardness that a value of 1 means, 0.01 to 20000; every value must lead into that range
- * @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
- */
-enum StriaeStatus striae_hardness_map_texture(const float *values,
-                                              size_t width,
-                                              size_t height,
-                                              double from_hv,
-                                              double to_hv,
-                                              struct StriaeHardnessMap **map);
-
-/**
- * Makes a hardness map from indentation readings: natural-neighbour interpolation, clamped outside their hull.
- *
- * @param readings one or more, anywhere; of several at the same place the last counts
- * @param reading_count how many
- * @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
- */
-enum StriaeStatus striae_hardness_map_readings(const struct StriaeReading *readings,
-                                               size_t reading_count,
-                                               struct StriaeHardnessMap **map);
-
-/**
- * Adds a reference. NULL is fine.
- */
-void striae_hardness_map_retain(const struct StriaeHardnessMap *map);
-
-/**
- * Drops a reference; the last one frees the map. NULL is fine.
- */
-void striae_hardness_map_release(const struct StriaeHardnessMap *map);
-
-/**
- * Makes a surface of a triangle mesh. Where texture space has a seam the vertices are there twice, as renderers have
- * them: those at exactly the same position count as one place of the surface. Either winding will do, also a
- * mixture; charts may be mirrored. Triangles without area, in space or in texture space, are left out.
- *
- * @param positions vertex_count positions, scene units, each coordinate -1e7 to 1e7
- * @param uv vertex_count texture coordinates, -1e9 to 1e9
- * @param vertex_count how many vertices
- * @param triangles triangle_count times three vertex indices
- * @param triangle_count how many triangles; one or more must have area
- * @param surface receives a handle to release with striae_surface_release(); NULL on failure
- */
-enum StriaeStatus striae_surface_new(const double (*positions)[3],
-                                     const double (*uv)[2],
-                                     size_t vertex_count,
-                                     const uint32_t (*triangles)[3],
-                                     size_t triangle_count,
-                                     struct StriaeSurface **surface);
-
-/**
- * Adds a reference. NULL is fine.
- */
-void striae_surface_retain(const struct StriaeSurface *surface);
-
-/**
- * Drops a reference; the last one frees the surface. NULL is fine.
- */
-void striae_surface_release(const struct StriaeSurface *surface);
-
-/**
- * Begins a pattern on an unscratched surface.
- *
- * @param surface the surface's material
- * @param options scale
- * @param builder receives a builder to free with striae_pattern_builder_free(); NULL on failure
- */
-enum StriaeStatus striae_pattern_builder_new(const struct StriaeMaterial *surface,
-                                             const struct StriaePatternOptions *options,
-                                             struct StriaePatternBuilder **builder);
-
-/**
- * Lets the surface's hardness vary: scratches added from now on meet the map along their way instead of the
- * material's own hardness. Scratches with a material of their own keep that one's.
- *
- * @param builder the builder; keeps a copy
- * @param map the map
- */
-enum StriaeStatus striae_pattern_builder_set_hardness(struct StriaePatternBuilder *builder,
-                                                      const struct StriaeHardnessMap *map);
-
-/**
- * Adds a scratch. Everything is copied; if it is refused, the builder is as it was.
- *
- * @param builder the builder
- * @param scratch the scratch
- */
-enum StriaeStatus striae_pattern_builder_add_scratch(struct StriaePatternBuilder *builder,
-                                                     const struct StriaeScratch *scratch);
-
-/**
- * Builds the pattern of all scratches added so far. The builder stays usable.
- *
- * @param builder the builder
- * @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
- */
-enum StriaeStatus striae_pattern_builder_build(const struct StriaePatternBuilder *builder,
-                                               struct StriaePattern **pattern);
-
-/**
- * Frees a builder. Patterns built with it live on. NULL is fine.
- */
-void striae_pattern_builder_free(struct StriaePatternBuilder *builder);
-
-/**
- * Adds a reference. NULL is fine.
- */
-void striae_pattern_retain(const struct StriaePattern *pattern);
-
-/**
- * Drops a reference; the last one frees the pattern. NULL is fine.
- */
-void striae_pattern_release(const struct StriaePattern *pattern);
-
-/**
- * Fills in a generator by name, for the unit square.
- *
- * @param style a StriaeStyle
- * @param generator with struct_size set; the rest is written on success only
- */
-enum StriaeStatus striae_generator_preset(uint32_t style, struct StriaeGenerator *generator);
-
-/**
- * Adds generated scratches; if one of them is refused, the builder is as it was. The same seed gives the same
- * scratches on every machine. For layers over each other call again, with other seeds.
- *
- * @param builder the builder
- * @param generator how many, how long, how deep, which way and how bent
- * @param tool the tool
- * @param material another hardness and finish than the surface's for these scratches; NULL for the surface's own
- * @param seed another seed, other scratches
- */
-enum StriaeStatus striae_pattern_builder_generate(struct StriaePatternBuilder *builder,
-                                                  const struct StriaeGenerator *generator,
-                                                  const struct StriaeTool *tool,
-                                                  const struct StriaeMaterial *material,
-                                                  uint64_t seed);
-
-/**
- * Adds a scratch along each stroked path of an SVG drawing; if one of them is refused, the builder is as it was.
- *
- * Paths, lines, polylines, polygons, rectangles, circles and ellipses count, where visible, under their transforms; fills,
- * texts, images, clips, masks and dashes do not. A drawing is stretched where the area has other proportions; a stroke's
- * width is then the geometric mean of both directions.
- *
- * A file that is missing, no SVG, without a size or without a stroked path, and a scratch that cannot be made, are answered
- * with STRIAE_STATUS_FILE; striae_last_error() then names the file, the line and column or the path, what was found and what
- * is accepted.
- *
- * Not in a library that was built without the cargo feature `svg` (it is on by default).
- *
- * @param builder the builder
- * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
- * @param options what scratches are made
- */
-enum StriaeStatus striae_pattern_builder_add_svg(struct StriaePatternBuilder *builder,
-                                                 const char *path,
-                                                 const struct StriaeSvgOptions *options);
 
 /**
  * A point's local frame, in which `view` and `light` are given. Allocates nothing.
@@ -1669,14 +1703,22 @@ enum StriaeStatus striae_frame(const struct StriaePoint *point,
                                struct StriaeFrame *frame);
 
 /**
- * Turns a vector of the renderer's frame into the local one. `world` and `local` may be the same.
+ * Turns a vector of the renderer's frame into the local one. Allocates nothing.
+ *
+ * @param frame filled in by striae_frame()
+ * @param world the vector, of any length
+ * @param local receives it; may be `world` itself
  */
 enum StriaeStatus striae_frame_to_local(const struct StriaeFrame *frame,
                                         const float world[3],
                                         float local[3]);
 
 /**
- * Turns a vector of the local frame into the renderer's. `local` and `world` may be the same.
+ * Turns a vector of the local frame into the renderer's. Allocates nothing.
+ *
+ * @param frame filled in by striae_frame()
+ * @param local the vector, of any length
+ * @param world receives it; may be `local` itself
  */
 enum StriaeStatus striae_frame_to_world(const struct StriaeFrame *frame,
                                         const float local[3],
@@ -1684,7 +1726,7 @@ enum StriaeStatus striae_frame_to_world(const struct StriaeFrame *frame,
 
 /**
  * Prepares a point for one viewing direction: finds the scratches in its footprint and all that does not
- * depend on the light. Never allocates, locks or blocks; any number of threads at once.
+ * depend on the light. Never allocates, locks or blocks; any number of threads at once. 256 KiB of stack suffice.
  *
  * A point that is refused leaves a shading that can be used all the same, so that a render goes on: a view that
  * is no direction reflects nothing; a bad normal, uv or derivative gives the unscratched surface; a
@@ -1694,7 +1736,7 @@ enum StriaeStatus striae_frame_to_world(const struct StriaeFrame *frame,
  * @param pattern the pattern
  * @param point the point
  * @param view direction to the viewer, away from the surface, in the local frame, of any length above 0
- * @param shading receives the result; need not be initialised
+ * @param shading receives the result; need not be initialised. Shading into it again replaces what it held
  */
 enum StriaeStatus striae_shade(const struct StriaePattern *pattern,
                                const struct StriaePoint *point,
@@ -1719,7 +1761,7 @@ enum StriaeStatus striae_eval(const struct StriaeShading *shading,
  * The scratches in a footprint, whoever looks: for masks, labels and what else a renderer writes beside light.
  * The one that covers the largest share comes first, of equal ones the latest, which lies on top. Never
  * allocates, locks or blocks, and a footprint with any number of scratches is no failure; any number of threads at
- * once.
+ * once. 256 KiB of stack suffice.
  *
  * @param pattern the pattern
  * @param point the point; a STRIAE_FOOTPRINT_POINT tells what lies right there

@@ -87,12 +87,13 @@ impl fmt::Display for Error {
         }
         write!(f, "{} is ", self.argument)?;
         match self.given {
-            Given::Number(value) => write!(f, "{value}")?,
+            Given::Number(value) => write!(f, "{}", Short(value))?,
             Given::Count(count) => write!(f, "{count}")?,
             Given::Text(text) => write!(f, "{text}")?,
         }
         match self.accepted {
             Accepted::Range(from, to) => {
+                let (from, to) = (Short(from), Short(to));
                 write!(f, "; accepted: a finite number from {from} to {to}")
             }
             Accepted::Text(text) => write!(f, "; accepted: {text}"),
@@ -101,6 +102,20 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+/// A number that takes no more room than needed: with an exponent where hundreds of digits would be zeros.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        if value == 0.0 || !value.is_finite() || (1e-12..1e16).contains(&value.abs()) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
+        }
+    }
+}
 
 /// `value` if it lies in `from..=to` (so never NaN), else an error that names `argument`.
 pub(crate) fn in_range(argument: &'static str, value: f64, from: f64, to: f64) -> Result<f64> {
@@ -152,6 +167,16 @@ mod tests {
         assert_eq!(
             error.to_string(),
             "keys[2].force_kgf is -1; accepted: a finite number from 0 to 5"
+        );
+    }
+
+    /// Numbers of hundreds of digits leave room for what is accepted.
+    #[test]
+    fn numbers_are_short() {
+        let error = in_range("radius", -1e-300, f64::MIN_POSITIVE, f64::MAX).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "radius is -1e-300; accepted: a finite number from 2.2250738585072014e-308 to 1.7976931348623157e308"
         );
     }
 

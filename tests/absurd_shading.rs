@@ -67,6 +67,7 @@ fn absurd_shading_points_evaluate() {
     for material in materials {
         let lines = [([0.2, 0.5], [0.8, 0.5]), ([0.5, 0.2], [0.5, 0.8])];
         let pattern = straight(&material, &Tool::nail(), &lines, 2.0);
+        let (mut refused, mut scratched) = (0, 0);
         for _ in 0..30_000 {
             let mut number = |sane: f32| {
                 if random.random_ratio(1, 8) {
@@ -103,12 +104,19 @@ fn absurd_shading_points_evaluate() {
             };
             let mut shading = Shading::default();
             let result = shading.shade(&pattern, &point, view);
+            refused += u32::from(result.is_err());
+            scratched += u32::from(shading.coverage() > 0.0);
             assert_usable(
                 &shading,
                 &lights,
                 &format!("{point:?}, {view:?}: {result:?}"),
             );
         }
+        println!("{refused} refused, {scratched} with scratches");
+        assert!(
+            refused > 1000 && scratched > 1000,
+            "{refused} refused, {scratched} with scratches"
+        );
     }
 }
 
@@ -116,6 +124,7 @@ fn absurd_shading_points_evaluate() {
 #[test]
 fn absurd_cross_sections_evaluate() {
     let mut random = random(25);
+    let mut taken = 0;
     for _ in 0..30_000 {
         let mut number = |sane: f32| {
             if random.random_ratio(1, 10) {
@@ -144,9 +153,12 @@ fn absurd_cross_sections_evaluate() {
         let mut shading = Shading::default();
         let result =
             shading.shade_cross_section(&points, &lambert(0.5), &ggx(0.1, 0.5), pixel, view);
+        taken += u32::from(result.is_ok());
         let what = format!("{points:?}, {pixel:?}, {view:?}: {result:?}");
         assert_usable(&shading, &lights, &what);
     }
+    println!("{taken} taken");
+    assert!((1000..29_000).contains(&taken), "{taken} taken");
 }
 
 /// Down to the horizon, and with the light straight ahead of the viewer, a pixel reflects what its base BRDFs

@@ -6,10 +6,10 @@ use std::path::Path;
 fn header_is_fresh() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let config = cbindgen::Config::from_file(root.join("cbindgen.toml")).unwrap();
+    // In the order of their use.
     let sources = [
         "status",
         "tool",
-        "files",
         "material",
         "cross_section",
         "plot",
@@ -18,6 +18,7 @@ fn header_is_fresh() {
         "pattern",
         "generator",
         "svg",
+        "files",
         "shading",
         "hits",
     ];

@@ -40,15 +40,15 @@ pub struct StriaeProcess {
     pub struct_size: usize,
     /// A StriaeDepthLaw.
     pub depth_law: u32,
-    /// Normal force, kgf, 0 to 100000.
+    /// Normal force, kgf, 0 to 100000: does not count under STRIAE_DEPTH_LAW_STATED.
     pub force_kgf: f64,
     /// Depth under load, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
     pub depth_mm: f64,
-    /// Spin about the tool's own axis, counter-clockwise from above, degrees.
+    /// Spin about the tool's own axis, counter-clockwise from above, degrees, -3600 to 3600.
     pub spin_deg: f64,
-    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85; less than lays its flank on the surface.
     pub tilt_deg: f64,
-    /// Where the axis leans to: 0 = forward, 90 = left of travel, degrees.
+    /// Where the axis leans to: 0 = forward, 90 = left of travel, degrees, -3600 to 3600.
     pub azimuth_deg: f64,
 }
 
@@ -68,7 +68,8 @@ pub struct StriaePeak {
     pub outer_width_mm: f64,
 }
 
-/// Measures of a cross-section; all 0 where the force left no scratch. Set struct_size first.
+/// Measures of a cross-section; all 0 where the force left no scratch, lengths after elastic recovery. Set struct_size to
+/// sizeof(StriaeCrossSectionInfo).
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeCrossSectionInfo {
@@ -142,7 +143,8 @@ impl StriaeProcess {
     }
 }
 
-/// Forms the cross-section that a tool, held and pressed so, leaves in a material.
+/// Forms the cross-section that a tool, held and pressed so, leaves in a material. A force too small for a scratch is no
+/// failure: all measures are 0. One that pushes the tool deeper than it is tall is refused.
 ///
 /// @param tool the tool
 /// @param material its hardness, pile-up and recovery count
@@ -177,7 +179,7 @@ pub unsafe extern "C" fn striae_cross_section(
 /// @param tool the tool
 /// @param material the material
 /// @param wanted a StriaeWanted
-/// @param value_mm how much of it, 1e-9 to 1000
+/// @param value_mm how much of it, 1e-9 to 1000, and no more than the tool can leave
 /// @param process with struct_size, depth_law and angles set; its force_kgf (0 under STRIAE_DEPTH_LAW_STATED) and
 ///     depth_mm are written, on success only
 #[unsafe(no_mangle)]
@@ -256,9 +258,9 @@ pub unsafe extern "C" fn striae_cross_section_info(
 /// Writes a cross-section's points (x, z), mm, from left to right of travel; the surface is at z = 0.
 ///
 /// @param cross_section the cross-section
-/// @param xz_mm room for `capacity` points; NULL to ask for the count alone
+/// @param xz_mm room for `capacity` points; may be NULL, to ask for the count alone
 /// @param capacity how many points there is room for; what does not fit is left out
-/// @param count receives how many points the cross-section has; may be NULL
+/// @param count receives how many points the cross-section has, also where fewer were written; may be NULL
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_cross_section_vertices(
     cross_section: *const StriaeCrossSection,

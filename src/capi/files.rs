@@ -103,9 +103,10 @@ pub unsafe extern "C" fn striae_pattern_builder_load(
 }
 
 /// Saves a built pattern to be opened again by striae_pattern_open(), on machines of the same byte order and by the same
-/// version of the library: a cache, no file to keep. The file takes the place of an older one all at once.
+/// version of the library: a cache, no file to keep. It takes as much room as the pattern's memory. It is written beside
+/// and takes the place of an older one all at once; two threads must not save to one path at once, processes may.
 ///
-/// Where it cannot be written the answer is STRIAE_STATUS_FILE.
+/// Where it cannot be written the answer is STRIAE_STATUS_FILE, and an older file stays.
 ///
 /// Not in a library that was built without the cargo feature `files` (it is on by default).
 ///
@@ -124,7 +125,9 @@ pub unsafe extern "C" fn striae_pattern_save(
 }
 
 /// Opens a saved pattern where it lies: what it holds is read when it is needed, so that opening takes no time however
-/// large it is. The file must not be written to while it is open; putting another one in its place is fine.
+/// large it is, and processes that open one file share its memory. Shading may then have to wait for the disk. Until the
+/// pattern is freed the file must not be written to or cut short, or the process may end; putting another one in its place,
+/// as striae_pattern_save() does, is fine.
 ///
 /// A file that is missing, no saved pattern, of another version or byte order, cut short or damaged is answered with
 /// STRIAE_STATUS_FILE. With `verify` 0 that is the header and all small arrays; a file whose large arrays are damaged opens,
@@ -133,7 +136,7 @@ pub unsafe extern "C" fn striae_pattern_save(
 /// Not in a library that was built without the cargo feature `files` (it is on by default).
 ///
 /// @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
-/// @param verify 1: check every byte, which takes as long as reading the file; 0: check what takes no time
+/// @param verify 1: check every byte, which takes as long as reading the file; 0: check what takes no time; nothing else
 /// @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_pattern_open(

@@ -49,21 +49,22 @@ pub enum StriaeDistributionKind {
 pub struct StriaeDistribution {
     /// A StriaeDistributionKind.
     pub kind: u32,
-    /// Least.
+    /// Least: the quantity's field says what there may be.
     pub from: f64,
-    /// Most.
+    /// Most, not below `from`.
     pub to: f64,
-    /// Normal: the mean; log-normal: the median; both before the cut, and between `from` and `to`.
+    /// Normal: the mean; log-normal: the median, above 0; both before the cut, and between `from` and `to`.
     pub middle: f64,
-    /// Normal and log-normal.
+    /// Normal and log-normal: the standard deviation.
     pub deviation: f64,
-    /// Power law.
+    /// Power law: the density falls like the value to the power of minus this.
     pub exponent: f64,
-    /// Exponential.
+    /// Exponential: the density falls by a factor e with each.
     pub decay: f64,
 }
 
-/// Scratches by the many. Fill it with striae_generator_preset() and change what you like.
+/// Scratches by the many. Set struct_size to sizeof(StriaeGenerator), fill it with striae_generator_preset() and change what
+/// you like.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeGenerator {
@@ -71,7 +72,7 @@ pub struct StriaeGenerator {
     pub struct_size: usize,
     /// How many in all, 1e8 at most; 0 to go by `per_cm2`.
     pub count: u32,
-    /// How many on each cm² of the area, 0 to 1e8, where `count` is 0.
+    /// How many on each cm² of the area, 0 to 1e8, where `count` is 0; in all rounded to a whole number, 1e8 at most.
     pub per_cm2: f64,
     /// Two opposite corners of a rectangle, (u, v), -1e6 to 1e6, the first one lower in both. The scratches' middles
     /// are spread over it evenly; their ends may reach beyond.
@@ -102,11 +103,11 @@ pub struct StriaeGenerator {
     pub spin_deg: f64,
     /// Standard deviation of the spin from scratch to scratch, degrees, 0 to 360.
     pub spin_spread_deg: f64,
-    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85; less than lays its flank on the surface.
     pub tilt_deg: f64,
-    /// Where the axis leans to, degrees, -3600 to 3600.
+    /// Where the axis leans to, degrees, -3600 to 3600: StriaeHeld says from where.
     pub azimuth_deg: f64,
-    /// A StriaeHeld.
+    /// A StriaeHeld; STRIAE_HELD_TO_SURFACE gives each scratch cross-sections of its own, which takes memory.
     pub held: u32,
     /// A StriaeDepthLaw.
     pub depth_law: u32,
@@ -303,8 +304,8 @@ pub unsafe extern "C" fn striae_generator_preset(
     })
 }
 
-/// Adds generated scratches; if one of them is refused, the builder is as it was. The same seed gives the same
-/// scratches on every machine. For layers over each other call again, with other seeds.
+/// Adds generated scratches, on all cores; if one of them is refused, the builder is as it was. The same seed gives the same
+/// scratches on every machine and with any number of threads. For layers over each other call again, with other seeds.
 ///
 /// @param builder the builder
 /// @param generator how many, how long, how deep, which way and how bent

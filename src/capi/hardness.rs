@@ -22,8 +22,8 @@ pub struct StriaeReading {
 /// Makes a hardness map from a texture over u and v from 0 to 1: bilinear between texel centres, clamped beyond.
 ///
 /// @param values width times height values, row by row, the first row at v = 1 (as images are stored)
-/// @param width texels in a row
-/// @param height rows
+/// @param width texels in a row, 1 or more
+/// @param height rows, 1 or more; width times height is 2^28 at most
 /// @param from_hv hardness that a value of 0 means, 0.01 to 20000
 /// @param to_hv hardness that a value of 1 means, 0.01 to 20000; every value must lead into that range
 /// @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
@@ -52,7 +52,7 @@ pub unsafe extern "C" fn striae_hardness_map_texture(
 /// Makes a hardness map from indentation readings: natural-neighbour interpolation, clamped outside their hull.
 ///
 /// @param readings one or more, anywhere; of several at the same place the last counts
-/// @param reading_count how many
+/// @param reading_count 1 to 10000000
 /// @param map receives a handle to release with striae_hardness_map_release(); NULL on failure
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_hardness_map_readings(

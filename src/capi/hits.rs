@@ -11,9 +11,11 @@ use crate::pattern::{Found, ScratchHit};
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeHit {
-    /// Number of the scratch in order of adding, from 0: those of a generator or a file count one by one.
+    /// Number of the scratch in order of adding, from 0: those of a generator or a file count one by one. Add those first
+    /// whose numbers are to be known beforehand.
     pub scratch: u32,
-    /// The share of the footprint that the scratch covers with its rims, less what later scratches cut: above 0, to 1.
+    /// The share of the footprint that the scratch covers with its rims, less what later scratches cut: above 0, to 1. Where
+    /// the footprint holds more than 128 runs of scratch, less what later ones cut on average.
     pub coverage: f32,
     /// From the scratch's start along its path, scene units.
     pub arc_length: f64,
@@ -32,7 +34,7 @@ pub struct StriaeHit {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeHitCount {
-    /// Hits that were written: the smaller one of `found` and the capacity.
+    /// Hits that were written, from the first on: the smaller one of `found` and the capacity.
     pub written: usize,
     /// Scratches that were told apart.
     pub found: usize,
@@ -57,7 +59,7 @@ assert_same_place!(scratch coverage arc_length offset_mm travel depth_mm deepest
 /// The scratches in a footprint, whoever looks: for masks, labels and what else a renderer writes beside light.
 /// The one that covers the largest share comes first, of equal ones the latest, which lies on top. Never
 /// allocates, locks or blocks, and a footprint with any number of scratches is no failure; any number of threads at
-/// once.
+/// once. 256 KiB of stack suffice.
 ///
 /// @param pattern the pattern
 /// @param point the point; a STRIAE_FOOTPRINT_POINT tells what lies right there

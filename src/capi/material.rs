@@ -125,7 +125,8 @@ pub struct StriaeLayer {
     pub scratched: StriaeBrdf,
 }
 
-/// What is scratched. Set struct_size to sizeof(StriaeMaterial) first.
+/// What is scratched. Set struct_size to sizeof(StriaeMaterial), fill it with striae_material_metal() or
+/// striae_material_preset(), and change what you like.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeMaterial {
@@ -145,7 +146,8 @@ pub struct StriaeMaterial {
     pub surface: StriaeBrdf,
     /// How a scratch's zones reflect where it reaches the bulk of the material.
     pub scratched: StriaeBrdf,
-    /// Layers from the surface down; NULL for none. Read while the material is used in a call, not kept.
+    /// Layers from the surface down; NULL for none. They must live during each call that the material is given to, and no
+    /// longer.
     pub layers: *const StriaeLayer,
     /// How many layers, 4 at most.
     pub layer_count: usize,
@@ -383,7 +385,7 @@ unsafe fn fill_in_brdf(
     })
 }
 
-/// Fills in a diffuse base BRDF.
+/// Fills in a diffuse base BRDF. Allocates nothing.
 ///
 /// @param albedo RGB, each 0 to 1
 /// @param brdf is written on success only
@@ -452,7 +454,7 @@ pub unsafe extern "C" fn striae_brdf_schlick(
     unsafe { fill_in_brdf("f0", f0, make, brdf) }
 }
 
-/// Fills in polished metal: GGX with the metal's own conductor Fresnel reflectance. For Cook-Torrance set `kind`
+/// Fills in a metal's base BRDF: GGX with its own conductor Fresnel reflectance. For Cook-Torrance set `kind`
 /// afterwards; for polishing lines `kind` and whichever of `alpha_across` and `alpha_along` differs.
 ///
 /// @param metal a StriaeMetal

@@ -53,25 +53,26 @@ pub enum StriaeHeld {
 pub struct StriaeKey {
     /// Share of the path's arc length, 0 to 1, not below the key before.
     pub at: f64,
-    /// Normal force, kgf, 0 to 100000.
+    /// Normal force, kgf, 0 to 100000: does not count under STRIAE_DEPTH_LAW_STATED.
     pub force_kgf: f64,
     /// Depth under load, mm, 0 to 1000: counts under STRIAE_DEPTH_LAW_STATED only.
     pub depth_mm: f64,
-    /// Spin about the tool's own axis, counter-clockwise from above, degrees.
+    /// Spin about the tool's own axis, counter-clockwise from above, degrees, -3600 to 3600.
     pub spin_deg: f64,
-    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85; less than lays its flank on the surface.
     pub tilt_deg: f64,
-    /// Where the axis leans to, degrees.
+    /// Where the axis leans to, degrees, -3600 to 3600: StriaeHeld says from where.
     pub azimuth_deg: f64,
 }
 
-/// One scratch: a tool drawn along a path. Set struct_size to sizeof(StriaeScratch).
+/// One scratch: a tool drawn along a path. Set struct_size to sizeof(StriaeScratch). A scratch ends hard, with the tool's
+/// own print, where it is pressed at an open end, and runs out softly where force or depth are 0 there.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeScratch {
     /// sizeof(StriaeScratch)
     pub struct_size: usize,
-    /// The tool.
+    /// The tool; the pattern keeps what it needs of it.
     pub tool: *const StriaeTool,
     /// Another hardness and finish than the surface's for this scratch; NULL for the surface's own.
     pub material: *const StriaeMaterial,
@@ -81,9 +82,9 @@ pub struct StriaeScratch {
     pub depth_law: u32,
     /// A StriaeHeld.
     pub held: u32,
-    /// The path's points in texture space, (u, v) each; NULL with a surface.
+    /// The path's points in texture space, (u, v) each, -1e9 to 1e9; not read with a surface.
     pub points_uv: *const [f64; 2],
-    /// How many points.
+    /// How many points, `points_uv` or `points_xyz`: StriaeCurve says how many there must be.
     pub point_count: usize,
     /// Force and orientation along the path, ascending in `at`: linear in arc length between keys, constant
     /// before the first and after the last.
@@ -102,11 +103,12 @@ pub struct StriaeScratch {
     /// open mesh by more than a tenth of a triangle there is no path; arc length goes on where it comes back. Where
     /// the closest point leaps, the path runs straight across the mesh.
     pub surface: *const StriaeSurface,
-    /// The path's points in the mesh's own coordinates, point_count of them; NULL without a surface.
+    /// The path's points in the mesh's own coordinates, -1e9 to 1e9, point_count of them; not read without a surface.
     pub points_xyz: *const [f64; 3],
 }
 
-/// Scale of a pattern. Set struct_size to sizeof(StriaePatternOptions).
+/// Scale of a pattern. Texture space is not wrapped: scratches lie where they were drawn, once, at any (u, v). Set
+/// struct_size to sizeof(StriaePatternOptions).
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaePatternOptions {
@@ -119,7 +121,7 @@ pub struct StriaePatternOptions {
     pub units_per_uv: [f64; 2],
 }
 
-/// Collects scratches. One thread at a time.
+/// Collects scratches. One thread at a time; whoever made it frees it.
 #[derive(Debug)]
 pub struct StriaePatternBuilder(pub(super) PatternBuilder);
 
@@ -245,9 +247,9 @@ impl StriaeScratch {
     }
 }
 
-/// Begins a pattern on an unscratched surface.
+/// Begins a pattern on an unscratched surface; striae_pattern_builder_load() begins one with all that a file holds.
 ///
-/// @param surface the surface's material
+/// @param surface the surface's material (a StriaeSurface is something else: a mesh to draw on)
 /// @param options scale
 /// @param builder receives a builder to free with striae_pattern_builder_free(); NULL on failure
 #[unsafe(no_mangle)]
@@ -295,7 +297,8 @@ pub unsafe extern "C" fn striae_pattern_builder_set_hardness(
     })
 }
 
-/// Adds a scratch. Everything is copied; if it is refused, the builder is as it was.
+/// Adds a scratch on top of those before it: where they cross, it cuts them. Everything is copied; if it is refused, the
+/// builder is as it was.
 ///
 /// @param builder the builder
 /// @param scratch the scratch
@@ -317,7 +320,7 @@ pub unsafe extern "C" fn striae_pattern_builder_add_scratch(
     })
 }
 
-/// Builds the pattern of all scratches added so far. The builder stays usable.
+/// Builds the pattern of all scratches added so far, none being fine, on all cores. The builder stays usable.
 ///
 /// @param builder the builder
 /// @param pattern receives a handle to release with striae_pattern_release(); NULL on failure

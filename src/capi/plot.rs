@@ -30,7 +30,7 @@ pub struct StriaePlotOptions {
     /// Written at the top, in bold; a strip has room for further lines, in plain. UTF-8, NUL-terminated. NULL for none
     /// of your own.
     pub title: *const c_char,
-    /// What is shown across the scratch, from and to, mm, -10000 to 10000; both 0 for what fits.
+    /// What is shown across the scratch, from and to (above from), mm, -10000 to 10000; both 0 for what fits.
     pub x_mm: [f64; 2],
     /// What is shown of depths and heights, likewise.
     pub z_mm: [f64; 2],
@@ -66,8 +66,8 @@ impl StriaePlotOptions {
 /// Draws a cross-section into a file: as PNG or as SVG, by the end of the file's name.
 ///
 /// Zones have their colours, lengths are in µm, and the picture says by how much heights are exaggerated. The same
-/// cross-section gives the same picture on every machine. A file that cannot be written is answered with
-/// STRIAE_STATUS_FILE.
+/// cross-section gives the same picture on every machine. A file that cannot be written, and a
+/// name that ends otherwise, are answered with STRIAE_STATUS_FILE.
 ///
 /// Not in a library that was built without the cargo feature `files` (it is on by default).
 ///

@@ -23,13 +23,14 @@ pub enum StriaeFootprint {
 /// Flag of striae_eval(): the BRDF alone, without the cosine between light and normal.
 pub const STRIAE_EVAL_BRDF_ONLY: u32 = 1;
 
-/// A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's.
+/// A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's, world space say. A
+/// footprint is below 1e12 mm long.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaePoint {
-    /// Texture coordinates.
+    /// Texture coordinates: any finite numbers, not wrapped.
     pub uv: [f64; 2],
-    /// Derivative of position by u, scene units.
+    /// Derivative of position by u, scene units. It and `dp_dv` span the tangent plane, at any angle and either way round.
     pub dp_du: [f32; 3],
     /// Derivative of position by v, scene units.
     pub dp_dv: [f32; 3],
@@ -37,11 +38,11 @@ pub struct StriaePoint {
     pub normal: [f32; 3],
     /// A StriaeFootprint; fields that it does not name are ignored.
     pub footprint: u32,
-    /// Scene units.
+    /// STRIAE_FOOTPRINT_RADIUS: scene units, above 0.
     pub radius: f32,
-    /// Change of (u, v) by one pixel in x.
+    /// STRIAE_FOOTPRINT_DIFFERENTIALS: change of (u, v) by one pixel in x.
     pub duv_dx: [f32; 2],
-    /// Change of (u, v) by one pixel in y.
+    /// STRIAE_FOOTPRINT_DIFFERENTIALS: change of (u, v) by one pixel in y. One of both may be 0, as an edge of a line.
     pub duv_dy: [f32; 2],
 }
 
@@ -62,10 +63,10 @@ pub struct StriaeFrame {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeShading {
-    /// How much of what the pixel shows belongs to scratches, 0 to 1.
+    /// How much of what the pixel shows belongs to scratches, as seen from `view`, 0 to 1.
     pub coverage: f32,
-    /// How many scratches the footprint holds. Where they are too many to be looked at one by one, how many
-    /// cross-sections and directions they were summed up by.
+    /// How many scratches run through the footprint, those included that later ones cut away. Where they are too many to be
+    /// looked at one by one, how many cross-sections and directions they were summed up by.
     pub scratch_count: u32,
     /// The library's own.
     pub opaque: [u64; 1055],
@@ -146,7 +147,11 @@ pub unsafe extern "C" fn striae_frame(
     })
 }
 
-/// Turns a vector of the renderer's frame into the local one. `world` and `local` may be the same.
+/// Turns a vector of the renderer's frame into the local one. Allocates nothing.
+///
+/// @param frame filled in by striae_frame()
+/// @param world the vector, of any length
+/// @param local receives it; may be `world` itself
 /// cbindgen:ptrs-as-arrays=[[world;3], [local;3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_frame_to_local(
@@ -169,7 +174,11 @@ pub unsafe extern "C" fn striae_frame_to_local(
     })
 }
 
-/// Turns a vector of the local frame into the renderer's. `local` and `world` may be the same.
+/// Turns a vector of the local frame into the renderer's. Allocates nothing.
+///
+/// @param frame filled in by striae_frame()
+/// @param local the vector, of any length
+/// @param world receives it; may be `local` itself
 /// cbindgen:ptrs-as-arrays=[[local;3], [world;3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_frame_to_world(
@@ -193,7 +202,7 @@ pub unsafe extern "C" fn striae_frame_to_world(
 }
 
 /// Prepares a point for one viewing direction: finds the scratches in its footprint and all that does not
-/// depend on the light. Never allocates, locks or blocks; any number of threads at once.
+/// depend on the light. Never allocates, locks or blocks; any number of threads at once. 256 KiB of stack suffice.
 ///
 /// A point that is refused leaves a shading that can be used all the same, so that a render goes on: a view that
 /// is no direction reflects nothing; a bad normal, uv or derivative gives the unscratched surface; a
@@ -203,7 +212,7 @@ pub unsafe extern "C" fn striae_frame_to_world(
 /// @param pattern the pattern
 /// @param point the point
 /// @param view direction to the viewer, away from the surface, in the local frame, of any length above 0
-/// @param shading receives the result; need not be initialised
+/// @param shading receives the result; need not be initialised. Shading into it again replaces what it held
 /// cbindgen:ptrs-as-arrays=[[view;3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_shade(

@@ -21,7 +21,7 @@ pub enum StriaeStatus {
     Ok = 0,
     /// An argument was refused. Nothing was made or changed.
     InvalidArgument = 1,
-    /// A fault of the library's own. Please report it.
+    /// A fault of the library's own: it is caught, and what the call was to write may be there in part. Please report it.
     Internal = 2,
     /// A file could not be read, used or written. Nothing was made or changed.
     File = 3,
@@ -107,8 +107,9 @@ pub extern "C" fn striae_version() -> u32 {
     (STRIAE_VERSION_MAJOR << 16) | (STRIAE_VERSION_MINOR << 8) | STRIAE_VERSION_PATCH
 }
 
-/// The text of this thread's last failed call: which argument, what was given, what is accepted. UTF-8,
-/// never NULL, empty before the first failure. Valid until this thread's next failure.
+/// The text of this thread's last failed call: which argument, what was given, what is accepted. UTF-8, cut after 511
+/// bytes, never NULL, empty before the first failure. The library's own: valid until this thread fails again or ends. Calls
+/// that succeed leave it as it is. Allocates nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn striae_last_error() -> *const c_char {
     LAST_ERROR.with(|text| text.borrow().bytes.as_ptr().cast())

@@ -13,11 +13,11 @@ pub struct StriaeSurface(pub(super) Surface);
 /// them: those at exactly the same position count as one place of the surface. Either winding will do, also a
 /// mixture; charts may be mirrored. Triangles without area, in space or in texture space, are left out.
 ///
-/// @param positions vertex_count positions, scene units, each coordinate -1e7 to 1e7
-/// @param uv vertex_count texture coordinates, -1e9 to 1e9
+/// @param positions vertex_count positions, scene units, each coordinate -1e7 to 1e7; copied
+/// @param uv vertex_count texture coordinates, -1e9 to 1e9; copied
 /// @param vertex_count how many vertices
-/// @param triangles triangle_count times three vertex indices
-/// @param triangle_count how many triangles; one or more must have area
+/// @param triangles triangle_count times three vertex indices; copied
+/// @param triangle_count how many triangles, below 2^32; one or more must have area
 /// @param surface receives a handle to release with striae_surface_release(); NULL on failure
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_surface_new(

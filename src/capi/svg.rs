@@ -18,7 +18,7 @@ use core::ffi::c_char;
 pub struct StriaeSvgOptions {
     /// sizeof(StriaeSvgOptions)
     pub struct_size: usize,
-    /// The tool.
+    /// The tool; the pattern keeps what it needs of it.
     pub tool: *const StriaeTool,
     /// Another hardness and finish than the surface's for these scratches; NULL for the surface's own.
     pub material: *const StriaeMaterial,
@@ -36,11 +36,11 @@ pub struct StriaeSvgOptions {
     pub depth_mm: f64,
     /// Shares of the length over which force or depth rise from 0 and fall back to it, each 0 to 1, together 1 at most.
     pub taper: [f64; 2],
-    /// Spin about the tool's own axis, counter-clockwise from above, degrees.
+    /// Spin about the tool's own axis, counter-clockwise from above, degrees, -3600 to 3600.
     pub spin_deg: f64,
-    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85.
+    /// Angle between the tool's axis and the surface normal, degrees, 0 to 85; less than lays its flank on the surface.
     pub tilt_deg: f64,
-    /// Where the axis leans to, degrees.
+    /// Where the axis leans to, degrees, -3600 to 3600: StriaeHeld says from where.
     pub azimuth_deg: f64,
 }
 

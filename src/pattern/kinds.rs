@@ -158,9 +158,11 @@ impl Kind {
         if spans.is_empty() {
             spans.push(self.span);
         }
-        // The deepest was formed when it was asked for, and less depth is never refused.
+        // The deepest was formed when it was asked for, and no law refuses less: a refusal would show as no scratch.
         let track = Track::over(&spans, &self.material, &|value| self.section(value));
-        let mut track = track.unwrap_or_default();
+        let Ok(mut track) = track else {
+            return Track::bare(&self.material);
+        };
         self.add_caps(&mut track);
         track
     }
@@ -189,6 +191,62 @@ impl Kind {
             let formed: Vec<_> = stations.into_par_iter().filter_map(form).collect();
             for (value, cap, section) in &formed {
                 track.push_cap(end, *value, cap, section);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tracks::Tracks;
+    use super::*;
+    use crate::brdf::Metal;
+
+    /// A kind whose forces could not be formed would leave no scratch, rather than break what is built of it.
+    #[test]
+    fn what_cannot_be_formed_leaves_no_scratch() {
+        let kind = Kind {
+            tool: Tool::sphero_cone(60.0, 0.005, 0.01).unwrap(),
+            material: Material::metal(Metal::Steel),
+            law: DepthLaw::Bosch2004,
+            orientation: Orientation::default(),
+            exact: vec![1.0],
+            span: [1.0, 50.0],
+            hard: [[1.0, 50.0]; 2],
+        };
+        assert!(kind.section(50.0).is_err(), "the tool is tall enough");
+        let mut tracks = Tracks::default();
+        let number = tracks.push(&kind.track());
+        let track = tracks.get(number).expect("a sound track");
+        assert_eq!((track.vertex_count, track.half_width_mm), (6, 0.0));
+    }
+
+    /// No law refuses less than what it allowed: a track is never bare for what `admit` let in.
+    #[test]
+    fn less_is_never_refused() {
+        for law in [
+            DepthLaw::Bosch2004,
+            DepthLaw::ScratchHardness,
+            DepthLaw::Stated,
+        ] {
+            for tool in [Tool::vickers(), Tool::needle(), Tool::round_graver()] {
+                let kind = Kind {
+                    tool,
+                    material: Material::acrylic(),
+                    law,
+                    orientation: Orientation {
+                        spin_deg: 11.0,
+                        tilt_deg: 7.0,
+                        azimuth_deg: 50.0,
+                    },
+                    exact: Vec::new(),
+                    span: NO_SPAN,
+                    hard: [NO_SPAN; 2],
+                };
+                let values = (-60..=40).map(|i| 1.25_f64.powi(i));
+                let formed: Vec<bool> = values.map(|value| kind.section(value).is_ok()).collect();
+                assert!(formed[0] && !formed[100], "{law:?}: nothing to find");
+                assert!(formed.is_sorted_by(|a, b| a >= b), "{law:?}: {formed:?}");
             }
         }
     }

@@ -22,8 +22,8 @@ const INTERPOLATION_ERROR: f64 = 0.01;
 const MOST_HALVINGS: u32 = 7;
 
 /// Cross-sections at stations, all with the same number of vertices, so that the shape in between is their
-/// mean, vertex by vertex: continuous whatever changes.
-#[derive(Clone, Debug, Default)]
+/// mean, vertex by vertex: continuous whatever changes. There is one station or more.
+#[derive(Clone, Debug)]
 pub(crate) struct Track {
     /// Where each station is, ascending: a share of arc length, or a force or depth.
     pub at: Vec<f64>,
@@ -85,6 +85,18 @@ impl Track {
             }
         }
         Ok(track)
+    }
+
+    /// The track of a tool that leaves no scratch: one station, at which the surface is flat.
+    pub(crate) fn bare(material: &Material) -> Self {
+        let vertex_count = 1 + 5;
+        Self {
+            at: vec![0.0],
+            vertices: vec![Vec2::ZERO; vertex_count],
+            vertex_count,
+            caps: Default::default(),
+            finishes: Finishes::of(material),
+        }
     }
 
     /// Cross-sections over spans of whatever `section` depends on; the spans ascend, and follow one another.

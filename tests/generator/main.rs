@@ -16,6 +16,13 @@ fn strokes(generator: &Generator, seed: u64) -> Strokes {
     generator.strokes(MM_PER_UV, seed).unwrap()
 }
 
+/// One scratch by its number.
+fn stroke(generator: &Generator, seed: u64, number: u32) -> Stroke {
+    let mut stroke = Stroke::default();
+    strokes(generator, seed).stroke(number, &mut stroke);
+    stroke
+}
+
 /// What `measure` gives for each scratch.
 fn measured<T>(strokes: &Strokes, mut measure: impl FnMut(&Stroke) -> T) -> Vec<T> {
     let mut values = Vec::new();

@@ -3,7 +3,7 @@
 use super::statistics::correlation;
 use super::*;
 use std::time::Instant;
-use striae::pattern::{Amount, Distribution, Style};
+use striae::pattern::Key;
 
 /// A generator in which every kind of random number is drawn.
 fn thorough() -> Generator {
@@ -19,13 +19,16 @@ fn thorough() -> Generator {
     }
 }
 
+/// All that a scratch is.
+fn parts(stroke: &Stroke) -> (Vec<[f64; 2]>, Vec<Key>) {
+    (stroke.points_uv().to_vec(), stroke.keys().to_vec())
+}
+
 /// Scratches do not depend on which were asked for before, nor on which thread asks.
 #[test]
 fn chunks_and_threads_agree() {
     let strokes = strokes(&thorough(), 9);
-    let together = measured(&strokes, |stroke| {
-        (stroke.points_uv().to_vec(), stroke.keys().to_vec())
-    });
+    let together = measured(&strokes, parts);
     let strokes = &strokes;
     std::thread::scope(|scope| {
         let threads: Vec<_> = (0..7_u32)
@@ -35,8 +38,7 @@ fn chunks_and_threads_agree() {
                     let mut made = Vec::new();
                     for number in (first..1000).step_by(7).collect::<Vec<_>>().iter().rev() {
                         strokes.stroke(*number, &mut stroke);
-                        let parts = (stroke.points_uv().to_vec(), stroke.keys().to_vec());
-                        made.push((*number, parts));
+                        made.push((*number, parts(&stroke)));
                     }
                     made
                 })
@@ -92,8 +94,7 @@ fn bits_are_stored() {
         measured(&strokes(&generator, seed), |stroke| sum = fnv(sum, stroke));
         sum
     };
-    let mut stroke = Stroke::default();
-    strokes(&thorough(), 10).stroke(999, &mut stroke);
+    let stroke = stroke(&thorough(), 10, 999);
     let [u, v] = stroke.points_uv()[6];
     let key = stroke.keys()[1];
     assert_eq!([u, v], [0.013436829920936533, 0.11493989328930143]);

@@ -3,7 +3,6 @@
 use super::statistics::{assert_distributed, correlation, distributions, normal_below};
 use super::*;
 use kurbo::{CubicBez, ParamCurve, ParamCurveArclen, Point};
-use striae::pattern::{Amount, Distribution, Style};
 
 /// The curves of a scratch, mm.
 fn curves(stroke: &Stroke) -> Vec<CubicBez> {
@@ -187,8 +186,7 @@ fn arcs_are_round() {
         ..plain()
     };
     let radius_mm = 10.0 / core::f64::consts::TAU;
-    let mut stroke = Stroke::default();
-    strokes(&generator, 6).stroke(7, &mut stroke);
+    let stroke = stroke(&generator, 6, 7);
     let curves = curves(&stroke);
     let center = curves[0].p0.midpoint(curves[1].p3);
     for curve in &curves {
@@ -231,8 +229,7 @@ fn taper() {
             force_kgf: Distribution::constant(2.0),
             ..plain()
         };
-        let mut stroke = Stroke::default();
-        strokes(&generator, 8).stroke(0, &mut stroke);
+        let stroke = stroke(&generator, 8, 0);
         let pairs = stroke.keys().iter().map(|key| [key.at, key.force_kgf]);
         pairs.collect::<Vec<_>>()
     };

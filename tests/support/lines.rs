@@ -4,7 +4,7 @@ use super::{SHEET_MM, Sheet, any_direction, random, sheet_of};
 use glam::DVec2;
 use rand::Rng;
 use striae::formation::{Material, Tool};
-use striae::pattern::{Key, Path, Pattern, Scratch};
+use striae::pattern::{Key, Path, Pattern, PatternBuilder, Scratch};
 
 /// A path in millimetres from the sheet's middle.
 pub(crate) enum Line<'a> {
@@ -12,26 +12,32 @@ pub(crate) enum Line<'a> {
     Curve(&'a [[f64; 2]]),
 }
 
+/// Millimetres from the sheet's middle, in texture space.
+pub(crate) fn uv(place_mm: [f64; 2]) -> [f64; 2] {
+    place_mm.map(|mm| 0.5 + mm / SHEET_MM)
+}
+
+/// Adds a scratch like another one, along a line.
+pub(crate) fn add(builder: &mut PatternBuilder, line: &Line<'_>, like: Scratch<'_>) {
+    let (Line::Straight(points) | Line::Curve(points)) = line;
+    let points: Vec<[f64; 2]> = points.iter().copied().map(uv).collect();
+    let path = match line {
+        Line::Straight(_) => Path::Polyline(&points),
+        Line::Curve(_) => Path::CubicBezier(&points),
+    };
+    builder.add(&Scratch { path, ..like }).unwrap();
+}
+
+/// Scratches by a Rockwell cone, all with the same keys.
 pub(crate) fn pattern(material: &Material, lines: &[Line<'_>], keys: &[Key]) -> Pattern {
     let mut builder = sheet_of(material);
     let tool = Tool::rockwell_c();
     for line in lines {
-        let (Line::Straight(points) | Line::Curve(points)) = line;
-        let uv: Vec<[f64; 2]> = points
-            .iter()
-            .map(|p| p.map(|mm| 0.5 + mm / SHEET_MM))
-            .collect();
-        let path = match line {
-            Line::Straight(_) => Path::Polyline(&uv),
-            Line::Curve(_) => Path::CubicBezier(&uv),
+        let like = Scratch {
+            keys,
+            ..Scratch::new(&tool)
         };
-        builder
-            .add(&Scratch {
-                path,
-                keys,
-                ..Scratch::new(&tool)
-            })
-            .unwrap();
+        add(&mut builder, line, like);
     }
     builder.build()
 }
