@@ -19,9 +19,15 @@ pub(crate) fn cut<const MOST_PARTS: usize>(
     pixel_area: f64,
 ) -> bool {
     let run = &hits[i];
+    let Some([low, high]) = left.first().map(Region::bounds) else {
+        return true;
+    };
     hits[i + 1..].iter().all(|later| {
-        let reaches = !later.adjoins(run) && reaches(later, run, pixel_area);
-        !reaches || cut_by(later, left, pixel_area)
+        let Some([from, to]) = later.cover.as_ref().map(Region::bounds) else {
+            return true;
+        };
+        let meets = from.cmple(high).all() && to.cmpge(low).all() && !later.adjoins(run);
+        !meets || !reaches(later, run, pixel_area) || cut_by(later, left, pixel_area)
     })
 }
 
@@ -57,19 +63,19 @@ fn cut_by<const MOST_PARTS: usize>(
     true
 }
 
-/// Among so few runs what is left of each is measured.
-const FEW: usize = 32;
+/// Parts up to which what is left of a run is measured.
+const MEASURED_PARTS: usize = 16;
 
-/// The share of run `i` that is left; among many runs about: as if those that cut it did so independently
-/// of one another.
+/// The share of run `i` that is left; where it is cut into many parts about: as if those that cut it did so
+/// independently of one another.
 pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
     let run = &hits[i];
     let Some(own) = run.cover else { return 0.0 };
     let [low, high] = own.bounds();
     let (ends, area) = (run.ends_mm, own.area());
-    let mut parts: ArrayVec<Region, 8> = ArrayVec::new();
+    let mut parts: ArrayVec<Region, MEASURED_PARTS> = ArrayVec::new();
     parts.push(own);
-    if hits.len() <= FEW && cut(hits, i, &mut parts, area) {
+    if cut(hits, i, &mut parts, area) {
         return parts.iter().map(Region::area).sum::<f64>() / area;
     }
     let mut left = 1.0;
