@@ -119,19 +119,23 @@ fn compare(name: &str, lines: &[Line], figures: &mut Vec<(String, f64)>) {
     let tree = hierarchy(lines);
     let flat = Flat::new(lines);
     let grid = |low, high| pattern.count_near(low, high);
+    // Each as the pattern's own: what touches the box, in order, each once.
+    let mut found = Vec::with_capacity(lines.len());
     let bvh = |low: [f64; 2], high: [f64; 2]| {
-        let mut hits = 0;
+        found.clear();
         tree.visit_query(low[0], low[1], high[0], high[1], &mut |i: usize| {
-            hits += usize::from(touches(&lines[i], low, high));
+            if touches(&lines[i], low, high) {
+                found.push(i);
+            }
             Control::<()>::Continue
         });
-        hits
+        found.sort_unstable();
+        black_box(&found).len()
     };
-    let mut seen = vec![0_u32; lines.len()];
-    let mut stamp = 0;
+    let mut found = Vec::with_capacity(lines.len());
     let one_level = |low, high| {
-        stamp += 1;
-        flat.count(lines, low, high, &mut seen, stamp)
+        flat.find(lines, low, high, &mut found);
+        black_box(&found).len()
     };
     // Boxes centred on random scratches: where scratches are is where pixels are looked at.
     let half = half_of(lines, &grid);
@@ -249,29 +253,18 @@ impl Flat {
         }
     }
 
-    fn count(
-        &self,
-        lines: &[Line],
-        low: [f64; 2],
-        high: [f64; 2],
-        seen: &mut [u32],
-        stamp: u32,
-    ) -> usize {
-        let mut hits = 0;
+    fn find(&self, lines: &[Line], low: [f64; 2], high: [f64; 2], found: &mut Vec<u32>) {
+        found.clear();
         for row in cells(low[1], high[1], self.side) {
             for column in cells(low[0], high[0], self.side) {
                 let cell = row * self.side + column;
                 let [from, to] = [cell, cell + 1].map(|cell| self.starts[cell] as usize);
-                for &piece in &self.entries[from..to] {
-                    let piece = piece as usize;
-                    if seen[piece] != stamp {
-                        seen[piece] = stamp;
-                        hits += usize::from(touches(&lines[piece], low, high));
-                    }
-                }
+                let listed = self.entries[from..to].iter().copied();
+                found.extend(listed.filter(|&i| touches(&lines[i as usize], low, high)));
             }
         }
-        hits
+        found.sort_unstable();
+        found.dedup();
     }
 
     fn bytes(&self) -> usize {
