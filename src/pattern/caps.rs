@@ -6,6 +6,7 @@
 
 use super::profile::Profile;
 use super::store::Store;
+use super::tracks::Extent;
 use crate::formation::{End, EndCap, SECTORS};
 use crate::single;
 use bytemuck::{Pod, Zeroable};
@@ -177,9 +178,8 @@ impl Caps {
         })
     }
 
-    /// How far caps reach from their scratches' ends, and how high or deep, mm.
-    pub(crate) fn reach_mm(&self) -> [f32; 2] {
-        let height = self.vertices.iter().map(|v| v.y.abs()).fold(0.0, f32::max);
+    /// How far caps reach from their scratches' ends, and how high or deep.
+    pub(crate) fn extent(&self) -> Extent {
         let mut far = 0.0_f32;
         for (i, station) in self.stations.iter().enumerate() {
             let next = self.stations.get(i + 1).map(|next| next.first_vertex);
@@ -195,7 +195,10 @@ impl Caps {
                 far = far.max(longest + station.offset_mm.abs());
             }
         }
-        [far, height]
+        Extent {
+            half_width_mm: far,
+            ..Extent::of(&self.vertices)
+        }
     }
 }
 

@@ -74,6 +74,14 @@ impl Course<'_> {
         self.knots.len() < 2
     }
 
+    /// Whether it has one value between two shares of arc length.
+    pub(crate) fn is_even(&self, [from, to]: [f64; 2]) -> bool {
+        self.is_constant() || {
+            let [low, high] = self.extremes(from, to);
+            low == high
+        }
+    }
+
     /// Its value at a share of arc length.
     pub(crate) fn value(&self, at: f64) -> f64 {
         let next = self.knots.partition_point(|knot| f64::from(knot[0]) <= at);

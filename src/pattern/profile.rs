@@ -43,7 +43,7 @@ impl<'p> Profile<'p> {
 
     /// The mean of a scratch's cross-sections between two shares of its arc length.
     pub(crate) fn mean(track: &TrackRef<'p>, course: &Course<'_>, [from, to]: [f64; 2]) -> Self {
-        if to <= from || course.is_constant() {
+        if to <= from || course.is_even([from, to]) {
             return track.profile(course.value(from));
         }
         let last = track.station_count() - 1;

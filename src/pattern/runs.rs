@@ -152,9 +152,6 @@ impl Part<'_> {
 
     /// Whether the scratch becomes much wider from one end to the other, as it does where it sets in.
     fn sets_in(&self) -> bool {
-        if self.course.is_constant() {
-            return false;
-        }
         let [a, b] = self.at.map(|at| self.half_width_mm(at));
         let worth_it = a.max(b) > LEAST_WIDTH * self.track.half_width_mm;
         worth_it && a.min(b) < LEAST_WIDENING * a.max(b)
@@ -234,7 +231,7 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
 
     /// Whether one cross-section, the mean of all, will do.
     fn changes_little(&self, part: &Part<'p>) -> bool {
-        if part.course.is_constant() {
+        if part.course.is_even(part.at) {
             return true;
         }
         let slack = self.slack(part);
@@ -257,7 +254,8 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
             && self.is_one_run(part)
             && self.is_straight(first.chord(), part.chord())
             && self.is_straight(first.parting[0], part.parting[1])
-            && part.change(first.at[0]) <= MOST_CHANGE;
+            && (part.course.is_even([first.at[0], part.at[1]])
+                || part.change(first.at[0]) <= MOST_CHANGE);
         joins.then_some(Run {
             first: *first,
             last: *part,
@@ -313,10 +311,11 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
         let near = self.nearest_on(run, region.centroid());
         let course = &first.course;
         let profile = first.track.profile(course.value(near.at));
-        let (near, profile) = if course.is_constant() && run.is_straight() {
+        let is_even = course.is_even([first.at[0], last.at[1]]);
+        let (near, profile) = if is_even && run.is_straight() {
             (near, profile)
         } else {
-            self.look(run, &region, near, profile)
+            self.look(run, &region, near, profile, is_even)
         };
         let Near {
             at, origin, travel, ..
@@ -346,9 +345,10 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
         region: &Region,
         mut near: Near,
         mut profile: Profile<'p>,
+        is_even: bool,
     ) -> (Near, Profile<'p>) {
         let Run { first, last } = run;
-        let mut half_width_mm = match first.course.is_constant() {
+        let mut half_width_mm = match is_even {
             true => profile.half_width_mm(),
             false => first
                 .half_width_mm(first.at[0])
@@ -357,6 +357,9 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
         for _ in 0..MOST_LOOKS {
             let stretch;
             (near, stretch) = self.stretch(run, region, &near, half_width_mm);
+            if is_even {
+                break;
+            }
             profile = Profile::mean(&first.track, &first.course, stretch);
             let narrower = profile.half_width_mm();
             if narrower > LEAST_NARROWING * half_width_mm {
@@ -384,9 +387,6 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
             return (*near, [near.at; 2]);
         };
         let near = self.nearest_on(run, covered.centroid());
-        if first.course.is_constant() {
-            return (near, [near.at; 2]);
-        }
         let Near {
             at, origin, travel, ..
         } = near;

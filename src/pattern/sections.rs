@@ -31,6 +31,7 @@ struct Facts {
     raster: Raster,
     extent: Extent,
     surface: Finish,
+    padding: u32,
 }
 
 /// An array as bytes, and how many each element takes.
@@ -77,6 +78,7 @@ impl Pattern {
             raster: self.grid.raster,
             extent: self.extent,
             surface: self.surface,
+            padding: 0,
         };
         let mut bytes = [0; FACTS];
         bytes.copy_from_slice(bytes_of(&facts));
@@ -173,6 +175,7 @@ impl Facts {
         let Extent {
             half_width_mm,
             height_mm,
+            rise_mm,
         } = self.extent;
         scale.contains(&self.mm_per_scene_unit)
             && scale.contains(&self.units_per_uv.x)
@@ -180,5 +183,6 @@ impl Facts {
             && (0.0..=1.0).contains(&self.run_cos)
             && (0.0..=1e9).contains(&half_width_mm)
             && (0.0..=1e9).contains(&height_mm)
+            && (0.0..=1e9).contains(&rise_mm)
     }
 }

@@ -62,7 +62,10 @@ pub(crate) struct LayerFinish {
 #[repr(C)]
 pub(crate) struct Extent {
     pub half_width_mm: f32,
+    /// Up or down.
     pub height_mm: f32,
+    /// Up: what casts shadows.
+    pub rise_mm: f32,
 }
 
 /// One track to read.
@@ -185,24 +188,19 @@ impl Tracks {
 
     /// The extent of all.
     pub(crate) fn extent(&self) -> Extent {
-        let [half_width_mm, height_mm] = self.caps.reach_mm();
-        let caps = Extent {
-            half_width_mm,
-            height_mm,
-        };
         let extents = self.records.iter().map(|record| record.extent);
-        extents.fold(caps, Extent::max)
+        extents.fold(self.caps.extent(), Extent::max)
     }
 }
 
 impl Extent {
-    fn of(vertices: &[Vec2]) -> Self {
-        let size = vertices
-            .iter()
-            .fold(Vec2::ZERO, |size, v| size.max(v.abs()));
+    pub(super) fn of(vertices: &[Vec2]) -> Self {
+        let all = vertices.iter();
+        let size = all.clone().fold(Vec2::ZERO, |size, v| size.max(v.abs()));
         Self {
             half_width_mm: size.x,
             height_mm: size.y,
+            rise_mm: all.fold(0.0, |most, v| most.max(v.y)),
         }
     }
 
@@ -210,6 +208,7 @@ impl Extent {
         Self {
             half_width_mm: self.half_width_mm.max(other.half_width_mm),
             height_mm: self.height_mm.max(other.height_mm),
+            rise_mm: self.rise_mm.max(other.rise_mm),
         }
     }
 }

@@ -229,7 +229,8 @@ impl Shading {
         let parallax = (view.truncate().length() / view.z).min(LONGEST_PARALLAX);
         let extent = pattern.extent;
         f64::from(extent.half_width_mm)
-            + f64::from(extent.height_mm) * (f64::from(LONGEST_SHADOW) + parallax)
+            + f64::from(extent.rise_mm) * f64::from(LONGEST_SHADOW)
+            + f64::from(extent.height_mm) * parallax
     }
 
     /// Adds each run by itself, less what later ones cut away; the smallest ones as a crowd where there is no room.
