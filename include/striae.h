@@ -1064,7 +1064,7 @@ typedef struct StriaeFrame {
 } StriaeFrame;
 
 /**
- * A point seen from one direction: plain data, 8.25 KiB, on the caller's stack. It need not be initialised, owns
+ * A point seen from one direction: plain data, 8 KiB at most, on the caller's stack. It need not be initialised, owns
  * nothing, outlives its pattern, and may be copied and read by any thread. Write to none of it.
  */
 typedef struct StriaeShading {
@@ -1080,7 +1080,7 @@ typedef struct StriaeShading {
   /**
    * The library's own.
    */
-  uint64_t opaque[1055];
+  uint64_t opaque[1023];
 } StriaeShading;
 
 /**

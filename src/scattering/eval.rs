@@ -75,11 +75,8 @@ impl Shading {
                 .each_of_flock(&flock, &pair, |zone| visit(zone, &pair, across));
         }
         let flat = Zone {
-            facet: 0,
-            normal: Vec3::Z,
-            finish: 0,
-            seen: rest(self.coverage()),
             lit: rest(taken),
+            ..Zone::flat(rest(self.coverage()))
         };
         visit(&flat, &pair.turned(ACROSS_SURFACE), ACROSS_SURFACE);
     }

@@ -10,6 +10,7 @@ mod exchange;
 mod flocks;
 mod footprint;
 mod relief;
+mod reverse;
 mod sample;
 mod shading;
 mod visibility;

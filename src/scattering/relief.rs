@@ -60,6 +60,19 @@ pub(crate) struct Zone {
     pub lit: f32,
 }
 
+impl Zone {
+    /// The flat surface, seen and lit in this share of the pixel.
+    pub(crate) fn flat(share: f32) -> Self {
+        Self {
+            facet: 0,
+            normal: Vec3::Z,
+            finish: 0,
+            seen: share,
+            lit: share,
+        }
+    }
+}
+
 /// One scratch in the footprint. Lengths in mm across the scratch, from its centre line.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -223,6 +236,27 @@ impl Zones {
         });
         let lit_flat = light.flat_ends(horizon, relief.seen_flat);
         relief.gain * self.densities.taken(&relief.weight, lit_flat)
+    }
+
+    /// Visits each zone of a relief that is seen from a direction in the relief's frame, whoever the viewer is.
+    pub(crate) fn each_seen_from(&self, relief: &Relief, from: Vec3, mut visit: impl FnMut(&Zone)) {
+        let slots = relief.slots();
+        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
+        sweep(xs, zs, Across::of(from), |k, part| {
+            let slot = relief.first as usize + k;
+            // Rounded as what the viewer sees is.
+            let weight = self.part_weight(relief, slot, unpacked(packed(part)), from.x / from.z);
+            if weight > 0.0 {
+                let share = relief.gain * weight;
+                visit(&Zone {
+                    facet: k,
+                    normal: self.normal(slot),
+                    finish: self.finish[slot],
+                    seen: share,
+                    lit: share,
+                });
+            }
+        });
     }
 
     /// As [`Self::each_of_relief`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.

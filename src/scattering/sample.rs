@@ -3,6 +3,7 @@
 use super::eval::{finite, rest};
 use super::flocks::Flock;
 use super::relief::{MOST_FINISHES, Relief, Zone};
+use super::reverse::Directions;
 use super::shading::{LEAST_COS, Shading};
 use crate::brdf::{ACROSS_SURFACE, Pair};
 use glam::{Vec2, Vec3};
@@ -87,18 +88,16 @@ impl Shading {
         let Some(pair) = self.pair(light) else {
             return Evaluated::default();
         };
-        let mirrored = Pair::new(pair.view, pair.light * Vec3::new(1.0, 1.0, -1.0));
+        let directions = Directions::new(pair.view, pair.light);
         let mut lobes = [0.0; MOST_FINISHES];
         let (mut density, mut seen) = (0.0, 0.0);
         self.each_zone(&pair, |zone, turned, across| {
-            let finish = self.zones.finish_of(zone.finish);
             if zone.lit > 0.0 {
+                let finish = self.zones.finish_of(zone.finish);
                 lobes[zone.finish as usize] += zone.lit * finish.lobe_cos(zone.normal, turned);
             }
             if zone.seen > 0.0 {
-                let above = finish.pdf_all(zone.normal, turned);
-                let below = finish.pdf_all(zone.normal, &mirrored.turned(across));
-                density += zone.seen * (above + below);
+                density += zone.seen * self.density(zone, turned, &directions, across);
                 seen += zone.seen;
             }
         });
