@@ -380,11 +380,13 @@ impl Shading {
         if !all.is_finite() {
             return self.clear();
         }
-        if all > 1.0 {
+        // One scratch crowds none: in a whole pixel its relief may stand beyond the pixel's edges, and counts.
+        let alone = reliefs.len() == 1 && crowd == 0.0;
+        self.crowding = if alone { 1.0 } else { all.max(1.0) };
+        if self.crowding > 1.0 {
             reliefs.iter_mut().for_each(|relief| relief.gain /= all);
             self.flocks.scale(1.0 / all);
         }
-        self.crowding = all.max(1.0);
         self.flocks.set_seen(crowd / self.crowding);
         // An empty sum is -0.
         self.coverage = (0.0 + all).clamp(0.0, 1.0);
