@@ -20,6 +20,8 @@ fn header_is_fresh() {
         "svg",
         "shading",
         "hits",
+        "sampling",
+        "zones",
     ];
     let builder = sources
         .iter()

@@ -48,8 +48,8 @@ pub(crate) struct Zones {
 /// A facet of a scratch, or the flat surface: what of the pixel it is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Zone {
-    /// Number of the facet in its scratch.
-    pub facet: usize,
+    /// Number of the facet in its scratch; none for the flat surface.
+    pub facet: Option<usize>,
     /// In the frame (across, along, up) of its scratch.
     pub normal: Vec3,
     /// Number of its finish.
@@ -64,7 +64,7 @@ impl Zone {
     /// The flat surface, seen and lit in this share of the pixel.
     pub(crate) fn flat(share: f32) -> Self {
         Self {
-            facet: 0,
+            facet: None,
             normal: Vec3::Z,
             finish: 0,
             seen: share,
@@ -227,7 +227,7 @@ impl Zones {
                 self.part_weight(relief, slot, both, view_slope)
             };
             visit(&Zone {
-                facet: k,
+                facet: Some(k),
                 normal: self.normal(slot),
                 finish: self.finish[slot],
                 seen: relief.gain * self.weight[slot],
@@ -249,7 +249,7 @@ impl Zones {
             if weight > 0.0 {
                 let share = relief.gain * weight;
                 visit(&Zone {
-                    facet: k,
+                    facet: Some(k),
                     normal: self.normal(slot),
                     finish: self.finish[slot],
                     seen: share,
@@ -285,7 +285,7 @@ impl Zones {
             let both = overlap(seen[k], lit);
             let slot = flock.slots[0] as usize + k;
             visit(&Zone {
-                facet: k,
+                facet: Some(k),
                 normal: self.normal(slot),
                 finish: self.finish[slot],
                 seen: flock.shown * (to - from) * width(k) / shown.max(f32::MIN_POSITIVE),
@@ -378,6 +378,11 @@ impl Zones {
         let seen = ends(view, [-0.5, 0.5]);
         let shadow = beside(seen, ends(light, seen));
         (shadow, flock.share * (shadow[1] - shadow[0]))
+    }
+
+    /// All finishes, by number; the first is the flat surface's.
+    pub(crate) fn finishes(&self) -> &[Finish] {
+        &self.finishes[..self.finish_count as usize]
     }
 
     /// The finish of this number.

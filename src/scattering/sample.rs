@@ -5,7 +5,7 @@ use super::flocks::Flock;
 use super::relief::{MOST_FINISHES, Relief, Zone};
 use super::reverse::Directions;
 use super::shading::{LEAST_COS, Shading};
-use crate::brdf::{ACROSS_SURFACE, Pair};
+use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
 use glam::{Vec2, Vec3};
 
 /// A light chosen for a view.
@@ -19,6 +19,8 @@ pub struct Sample {
     pub pdf: f32,
     /// Whether a scratch was chosen, not the flat surface.
     pub scratch: bool,
+    /// How the zone that was chosen reflects.
+    pub lobe: Lobe,
 }
 
 /// What a point reflects of one light, and how often that light is chosen.
@@ -54,7 +56,7 @@ impl Shading {
     /// it; the others a direction, as often as the zone's base BRDF reflects it. Nothing where the point reflects
     /// nothing.
     pub fn sample(&self, u: [f32; 3]) -> Option<Sample> {
-        if self.view.z < LEAST_COS {
+        if !self.is_seen() {
             return None;
         }
         let u = u.map(|u| if u >= 0.0 { u.min(BELOW_ONE) } else { 0.0 });
@@ -74,6 +76,7 @@ impl Shading {
             weight: weight.to_array(),
             pdf,
             scratch: zone.scratch.is_some(),
+            lobe: finish.kind(),
         })
     }
 
@@ -163,7 +166,7 @@ impl Picked {
         if self.left >= 0.0 && zone.seen > 0.0 {
             self.chosen.finish = zone.finish;
             self.chosen.normal = zone.normal;
-            self.chosen.facet = zone.facet;
+            self.chosen.facet = zone.facet.unwrap_or(0);
         }
         self.left -= zone.seen;
     }

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 pub(crate) const CELLS: [usize; 2] = [16, 32];
 
 /// A cell is divided until that changes its integrals by no more than this, but not more often than this.
-const SETTLED: f64 = 1e-6;
+const SETTLED: f64 = 3e-6;
 const MOST_DIVISIONS: u32 = 4;
 
 /// Gauss and Legendre's places and weights, as shares of an interval.

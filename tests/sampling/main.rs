@@ -8,6 +8,7 @@ mod reverse;
 mod scenes;
 #[path = "../support/mod.rs"]
 mod support;
+mod zones;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -23,7 +23,7 @@ pub(crate) struct Prepared {
 }
 
 /// Names of materials and white base BRDFs of (zones, surface): lobes no narrower than integrals can follow.
-fn materials() -> [(&'static str, [Brdf; 2]); 6] {
+pub(crate) fn materials() -> [(&'static str, [Brdf; 2]); 6] {
     let fresnel = Fresnel::Schlick { f0: [1.0; 3] };
     let albedo = [1.0; 3];
     let ggx = |alpha| Brdf::Ggx { alpha, fresnel };
