@@ -67,6 +67,41 @@
 #define STRIAE_EVAL_BRDF_ONLY 1
 
 /**
+ * striae_set_bounces(): light goes from one zone to the viewer.
+ */
+#define STRIAE_BOUNCES_ONE 0
+
+/**
+ * striae_set_bounces(): light goes from zone to zone within a scratch, and to the flat surface beside it, until it leaves.
+ */
+#define STRIAE_BOUNCES_ALL 1
+
+/**
+ * Flag of a lobe: it reflects, as all of them do.
+ */
+#define STRIAE_LOBE_REFLECTION 1
+
+/**
+ * Flag of a lobe: diffuse (Lambert, Oren-Nayar).
+ */
+#define STRIAE_LOBE_DIFFUSE 2
+
+/**
+ * Flag of a lobe: about the mirrored view (Phong, microfacets).
+ */
+#define STRIAE_LOBE_GLOSSY 4
+
+/**
+ * Flag of a glossy lobe less than alpha 0.02 wide, which may be treated like a mirror. Its density is finite all the same.
+ */
+#define STRIAE_LOBE_SHARP 8
+
+/**
+ * Flag of a lobe: a zone of a scratch; without it the flat surface.
+ */
+#define STRIAE_LOBE_SCRATCH 16
+
+/**
  * What a call says of its outcome. After anything but `STRIAE_STATUS_OK`, striae_last_error() has the details.
  */
 typedef enum StriaeStatus {
@@ -1090,7 +1125,7 @@ typedef struct StriaeFrame {
 } StriaeFrame;
 
 /**
- * A point seen from one direction: plain data, 8.25 KiB, on the caller's stack. It need not be initialised, owns
+ * A point seen from one direction: plain data, 8 KiB at most, on the caller's stack. It need not be initialised, owns
  * nothing, outlives its pattern, and may be copied and read by any thread. Write to none of it.
  */
 typedef struct StriaeShading {
@@ -1106,7 +1141,7 @@ typedef struct StriaeShading {
   /**
    * The library's own.
    */
-  uint64_t opaque[1055];
+  uint64_t opaque[1023];
 } StriaeShading;
 
 /**
@@ -1165,6 +1200,105 @@ typedef struct StriaeHitCount {
    */
   uint32_t complete;
 } StriaeHitCount;
+
+/**
+ * A light chosen for a view.
+ */
+typedef struct StriaeSample {
+  /**
+   * Unit direction to the light.
+   */
+  float light[3];
+  /**
+   * Density of the choice, per steradian; 0 if no light was chosen, which counts as black.
+   */
+  float pdf;
+  /**
+   * BRDF times cosine over `pdf`: what light from there counts, linear RGB.
+   */
+  float weight[3];
+  /**
+   * STRIAE_LOBE flags of the zone that was chosen.
+   */
+  uint32_t lobe;
+} StriaeSample;
+
+/**
+ * What is reflected of a light, and how often the light is chosen.
+ */
+typedef struct StriaeEvaluated {
+  /**
+   * BRDF times cosine, linear RGB.
+   */
+  float f[3];
+  /**
+   * Density with which striae_sample() chooses the light, per steradian.
+   */
+  float pdf;
+} StriaeEvaluated;
+
+/**
+ * A facet of a scratch, or the flat surface, as a shading point shows it. Directions are unit vectors in the local frame.
+ */
+typedef struct StriaeZone {
+  /**
+   * The zone's normal.
+   */
+  float normal[3];
+  /**
+   * Along the scratch, or along the flat surface's polishing lines; at right angles to `normal`.
+   */
+  float tangent[3];
+  /**
+   * How often striae_sample() chooses it, of all that is chosen: the share of the pixel that the viewer sees it in.
+   * Scratches of a crowd are chosen by what all of them show on average.
+   */
+  float seen;
+  /**
+   * The share of the pixel in which the viewer sees it lit: its BRDF times cosine, about `normal`, counts so often.
+   */
+  float lit;
+  /**
+   * Number of its base BRDF: striae_zone_brdf().
+   */
+  uint32_t brdf;
+} StriaeZone;
+
+/**
+ * The scratches of a point as a single lobe: GGX microfacets whose slopes deviate as much along either axis as the
+ * seen zones' and those of their own microfacets do together. Of an unscratched point: the surface's own.
+ */
+typedef struct StriaeParameters {
+  /**
+   * The share of what the pixel shows that scratches are, 0 to 1.
+   */
+  float coverage;
+  /**
+   * Along the scratches, where the lobe is narrowest: from the local frame's x towards its y, degrees, 0 up to 180. 0
+   * where no direction stands out.
+   */
+  float tangent_deg;
+  /**
+   * Width alpha of the distribution of slopes along that direction, 0.001 to 1.
+   */
+  float alpha_along;
+  /**
+   * Width across it, from `alpha_along` to 1.
+   */
+  float alpha_across;
+  /**
+   * Alpha of an isotropic lobe as wide: the geometric mean of both.
+   */
+  float roughness;
+  /**
+   * 0 (none) up to 1: 1 less `alpha_along` over `alpha_across`.
+   */
+  float anisotropy;
+  /**
+   * The lobe's unit normal in the local frame: scratches that show one wall lean.
+   */
+  float normal[3];
+} StriaeParameters;
 
 #ifdef __cplusplus
 extern "C" {
@@ -1774,6 +1908,168 @@ enum StriaeStatus striae_pattern_query(const struct StriaePattern *pattern,
                                        struct StriaeHit *hits,
                                        size_t capacity,
                                        struct StriaeHitCount *count);
+
+/**
+ * Says how far a prepared point's light is followed; striae_shade() sets it back to STRIAE_BOUNCES_ONE. Any number of
+ * threads at once, each with a shading of its own.
+ *
+ * With all bounces striae_sample() walks through the cross-section, without bias, and striae_eval() adds what zones reflect to
+ * one another as if they scattered it evenly: exact for Lambertian zones, about for glossy ones. The density stays that of
+ * one bounce, which is all that multiple importance sampling needs.
+ *
+ * @param shading filled in by striae_shade()
+ * @param bounces STRIAE_BOUNCES_ONE or STRIAE_BOUNCES_ALL
+ */
+enum StriaeStatus striae_set_bounces(struct StriaeShading *shading,
+                                     uint32_t bounces);
+
+/**
+ * Chooses a light for the view, about as often as it is reflected. Never allocates, locks or blocks; any number of
+ * threads at once.
+ *
+ *     StriaeSample sample;
+ *     striae_sample(&shading, (float[3]){next(), next(), next()}, &sample);
+ *     if (sample.pdf > 0.0f) {
+ *         const Radiance from = radiance(point, to_world(sample.light));
+ *         for (int c = 0; c < 3; c++) sum[c] += sample.weight[c] * from.rgb[c];
+ *     }
+ *
+ * @param shading filled in by striae_shade()
+ * @param u three numbers from 0 up to (not including) 1: the first chooses a zone, as often as the viewer sees it, the
+ *     others a direction, as often as the zone's base BRDF reflects it
+ * @param sample receives the light, in the local frame; a pdf of 0 if there is none
+ */
+enum StriaeStatus striae_sample(const struct StriaeShading *shading,
+                                const float u[3],
+                                struct StriaeSample *sample);
+
+/**
+ * As striae_sample(), with the light in the renderer's frame.
+ *
+ * @param shading filled in by striae_shade()
+ * @param frame the point's, from striae_frame()
+ * @param u three numbers from 0 up to (not including) 1
+ * @param sample receives the light, in the renderer's frame; a pdf of 0 if there is none
+ */
+enum StriaeStatus striae_sample_world(const struct StriaeShading *shading,
+                                      const struct StriaeFrame *frame,
+                                      const float u[3],
+                                      struct StriaeSample *sample);
+
+/**
+ * The density with which striae_sample() chooses a light. Never allocates, locks or blocks; any number of threads at once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param light direction to the light in the local frame, of any length above 0
+ * @param pdf receives it, per steradian: 0 from below the surface, elsewhere it adds up to 1
+ */
+enum StriaeStatus striae_pdf(const struct StriaeShading *shading,
+                             const float light[3],
+                             float *pdf);
+
+/**
+ * The density with which the view would be chosen were the light the view: what striae_pdf() says of the view once the point
+ * is prepared for `light`. For paths walked from both ends. Never allocates, locks or blocks; any number of threads at once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param light direction to the light in the local frame, of any length above 0
+ * @param pdf receives it, per steradian
+ */
+enum StriaeStatus striae_pdf_reverse(const struct StriaeShading *shading,
+                                     const float light[3],
+                                     float *pdf);
+
+/**
+ * striae_eval() and striae_pdf() in one, for little more than one costs. Never allocates, locks or blocks; any number of
+ * threads at once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param light direction to the light in the local frame, of any length above 0
+ * @param evaluated receives both
+ */
+enum StriaeStatus striae_eval_pdf(const struct StriaeShading *shading,
+                                  const float light[3],
+                                  struct StriaeEvaluated *evaluated);
+
+/**
+ * As striae_eval_pdf(), with the light in the renderer's frame.
+ *
+ * @param shading filled in by striae_shade()
+ * @param frame the point's, from striae_frame()
+ * @param light direction to the light in the renderer's frame, of any length above 0
+ * @param evaluated receives both
+ */
+enum StriaeStatus striae_eval_pdf_world(const struct StriaeShading *shading,
+                                        const struct StriaeFrame *frame,
+                                        const float light[3],
+                                        struct StriaeEvaluated *evaluated);
+
+/**
+ * The zones that the viewer sees, for renderers that evaluate base BRDFs of their own: what a light counts is the sum of each
+ * zone's `lit` times BRDF times cosine about its normal. Never allocates, locks or blocks; any number of threads at once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param light direction to the light in the local frame, of any length above 0; from below the surface nothing is lit
+ * @param zones receives the first `capacity` ones, may be NULL with a capacity of 0; need not be initialised
+ * @param capacity how many `zones` can hold: 200 are enough but for crowds
+ * @param count receives how many there are, which may be more; the last one is the flat surface. 0 for a point that
+ *     reflects nothing
+ */
+enum StriaeStatus striae_zones(const struct StriaeShading *shading,
+                               const float light[3],
+                               struct StriaeZone *zones,
+                               size_t capacity,
+                               size_t *count);
+
+/**
+ * A zone's base BRDF, as the material had it but for rounding. Never allocates, locks or blocks; any number of threads at
+ * once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param number a zone's `brdf`; 0 is the flat surface's
+ * @param brdf receives it
+ */
+enum StriaeStatus striae_zone_brdf(const struct StriaeShading *shading,
+                                   uint32_t number,
+                                   struct StriaeBrdf *brdf);
+
+/**
+ * The scratches as a single lobe, for materials that take no other: mix it with the surface's by its coverage. Never
+ * allocates, locks or blocks; any number of threads at once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param parameters receives it
+ */
+enum StriaeStatus striae_parameters(const struct StriaeShading *shading,
+                                    struct StriaeParameters *parameters);
+
+/**
+ * How rough the point is, scratches and surface together. Never allocates, locks or blocks; any number of threads at once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param roughness receives the alpha of GGX microfacets that spread light about as far, 0.001 to 1
+ */
+enum StriaeStatus striae_roughness(const struct StriaeShading *shading,
+                                   float *roughness);
+
+/**
+ * An estimate of the share of light that the point reflects towards the view: the mean of 128 samples, within about 0.05. It
+ * costs as much as 128 lights do. Never allocates, locks or blocks; any number of threads at once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param albedo receives linear RGB
+ */
+enum StriaeStatus striae_albedo(const struct StriaeShading *shading,
+                                float albedo[3]);
+
+/**
+ * Which lobes the viewer sees, before one is chosen. Never allocates, locks or blocks; any number of threads at once.
+ *
+ * @param shading filled in by striae_shade()
+ * @param lobes receives the STRIAE_LOBE flags of all zones together; 0 for a point that reflects nothing
+ */
+enum StriaeStatus striae_lobes(const struct StriaeShading *shading,
+                               uint32_t *lobes);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -6,7 +6,7 @@ use rand::Rng;
 use striae::brdf::{Brdf, Metal};
 use striae::formation::{Material, Tool};
 use striae::pattern::{Footprint, SurfacePoint};
-use striae::scattering::{CrossFootprint, Output, Shading};
+use striae::scattering::{Bounces, CrossFootprint, Output, SeenZone, Shading};
 use support::{dark_sheet, direction, ggx, lambert, random, straight};
 
 /// Numbers that are no use as sizes, directions or places.
@@ -30,6 +30,13 @@ const ABSURD: [f32; 16] = [
 ];
 
 fn assert_usable(shading: &Shading, lights: &[[f32; 3]], what: &str) {
+    let mut followed = *shading;
+    followed.set_bounces(Bounces::All);
+    for &light in lights {
+        assert_sampled(shading, light, what);
+        assert_sampled(&followed, light, what);
+    }
+    assert_described(shading, what);
     for (&light, output) in lights
         .iter()
         .flat_map(|light| [Output::Brdf, Output::BrdfCos].map(|output| (light, output)))
@@ -44,6 +51,46 @@ fn assert_usable(shading: &Shading, lights: &[[f32; 3]], what: &str) {
     assert!(
         (0.0..=1.0).contains(&coverage),
         "coverage {coverage}, {what}"
+    );
+}
+
+fn assert_numbers(numbers: &[f32], what: &str) {
+    let good = |number: &f32| number.is_finite() && *number >= 0.0;
+    assert!(numbers.iter().all(good), "{numbers:?}, {what}");
+}
+
+/// Chosen lights and densities; three numbers serve as a light and as random ones.
+fn assert_sampled(shading: &Shading, numbers: [f32; 3], what: &str) {
+    let both = shading.eval_pdf(numbers);
+    assert_numbers(&both.brdf_cos, what);
+    assert_numbers(&[both.pdf, shading.pdf_reverse(numbers)], what);
+    if let Some(sample) = shading.sample(numbers) {
+        assert_numbers(&sample.weight, what);
+        assert!(sample.pdf > 0.0 && sample.pdf.is_finite(), "{what}");
+        let length: f32 = sample.light.iter().map(|x| x * x).sum();
+        assert!((length - 1.0).abs() < 1e-5, "{:?}, {what}", sample.light);
+    }
+    let mut zones = [SeenZone::default(); 8];
+    shading.zones(numbers, &mut zones);
+    for zone in zones {
+        assert_numbers(&[zone.seen, zone.lit, zone.normal[2]], what);
+    }
+}
+
+fn assert_described(shading: &Shading, what: &str) {
+    let told = shading.parameters();
+    assert_numbers(&[shading.roughness(), told.tangent_deg], what);
+    assert_numbers(
+        &[told.alpha_along, told.alpha_across, told.anisotropy],
+        what,
+    );
+    assert!(
+        told.tangent_deg < 180.0 && told.normal[2] > 0.0,
+        "{told:?}, {what}"
+    );
+    assert!(
+        told.alpha_across <= 1.0 && told.anisotropy <= 1.0,
+        "{told:?}, {what}"
     );
 }
 

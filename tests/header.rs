@@ -21,6 +21,8 @@ fn header_is_fresh() {
         "files",
         "shading",
         "hits",
+        "sampling",
+        "zones",
     ];
     let builder = sources
         .iter()

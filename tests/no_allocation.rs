@@ -7,10 +7,10 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::fmt::Write;
 use std::hint::black_box;
-use striae::brdf::Metal;
+use striae::brdf::{Lobe, Metal};
 use striae::formation::{Material, Tool};
 use striae::pattern::{Footprint, Frame, Key, Path, Pattern, Scratch, ScratchHit, SurfacePoint};
-use striae::scattering::{CrossFootprint, Output, Shading};
+use striae::scattering::{Bounces, CrossFootprint, Output, SeenZone, Shading};
 use support::crowd::add;
 use support::{SHEET_MM, direction, ggx, sheet_of};
 
@@ -113,6 +113,27 @@ impl Write for Nowhere {
     }
 }
 
+/// Every question to a prepared point but what it reflects, with one bounce and with all.
+fn sampled(shading: &Shading, light: [f32; 3]) -> f32 {
+    let mut sum = shading.pdf(light) + shading.pdf_reverse(light) + shading.eval_pdf(light).pdf;
+    let mut zones = [SeenZone::default(); 4];
+    sum += if shading.zones(light, &mut zones) > 4 {
+        1.0
+    } else {
+        0.0
+    };
+    let told = shading.parameters();
+    black_box((told, shading.zone_brdf(1), shading.has_lobe(Lobe::Glossy)));
+    let mut shading = *shading;
+    for bounces in [Bounces::One, Bounces::All] {
+        shading.set_bounces(bounces);
+        sum += shading
+            .sample([0.3, 0.6, 0.9])
+            .map_or(0.0, |sample| sample.pdf);
+    }
+    sum + shading.eval(light, Output::Brdf)[0] + shading.roughness()
+}
+
 /// Every public call of render time, good and refused.
 fn render(pattern: &Pattern) -> f32 {
     let mut shading = Shading::default();
@@ -188,6 +209,7 @@ fn render(pattern: &Pattern) -> f32 {
                 for light in views {
                     sum += shading.eval(light, Output::Brdf)[0];
                     sum += shading.eval(light, Output::BrdfCos)[2];
+                    sum += sampled(&shading, light);
                 }
                 covered += u32::from(shading.coverage() > 0.0);
             }
@@ -205,6 +227,7 @@ fn render(pattern: &Pattern) -> f32 {
         ),
         (&section[..1], CrossFootprint::Whole { margin_mm: 0.1 }),
     ] {
+        sum += shading.albedo()[0];
         let [zone, flat] = [ggx(0.1, 0.5), ggx(7.0, 0.5)];
         for surface in [zone, flat] {
             let shaded =

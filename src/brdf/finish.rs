@@ -24,6 +24,20 @@ const LEAST_COS: f32 = 1e-12;
 /// Samples that an estimate of reflectance takes: a power of two.
 const REFLECTANCE_SAMPLES: u32 = 64;
 
+/// Lobes are sharp below this width.
+const SHARP_ALPHA: f32 = 0.02;
+
+/// How far a base BRDF spreads light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lobe {
+    /// Everywhere: Lambert, Oren-Nayar.
+    Diffuse,
+    /// About the mirrored view: Phong and microfacets.
+    Glossy,
+    /// The same, less than alpha 0.02 wide, so that it may be treated like a mirror; never infinitely sharp.
+    Sharp,
+}
+
 /// A base BRDF, evaluated as `shared(pair) * lobe_cos(normal, pair)`: the first factor is the same for all
 /// zones of a finish, the second depends on the zone's normal. All directions are in the frame (across, along, up).
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -151,8 +165,57 @@ impl Finish {
         }
     }
 
-    fn alphas(&self) -> Vec2 {
-        Vec2::new(self.alpha, self.second)
+    /// Widths of the distribution of slopes, across the scratch and along it; 1 if it is diffuse.
+    pub(crate) fn alphas(&self) -> Vec2 {
+        match self.lobe {
+            ANISOTROPIC_GGX => Vec2::new(self.alpha, self.second),
+            _ => Vec2::splat(self.alpha),
+        }
+    }
+
+    /// How far it spreads light.
+    pub(crate) fn kind(&self) -> Lobe {
+        match self.lobe {
+            LAMBERT | OREN_NAYAR => Lobe::Diffuse,
+            _ if self.alphas().max_element() < SHARP_ALPHA => Lobe::Sharp,
+            _ => Lobe::Glossy,
+        }
+    }
+
+    /// The base BRDF that it was made of, but for rounding.
+    pub(crate) fn brdf(&self) -> Brdf {
+        let (rgb, k) = (self.rgb, self.k);
+        let fresnel = match self.colour {
+            CONDUCTOR => Fresnel::Conductor { eta: rgb, k },
+            _ => Fresnel::Schlick { f0: rgb },
+        };
+        let over = |scale: f32| rgb.map(|channel| (channel / scale).clamp(0.0, 1.0));
+        match self.lobe {
+            GGX => Brdf::Ggx {
+                alpha: self.alpha,
+                fresnel,
+            },
+            ANISOTROPIC_GGX => Brdf::AnisotropicGgx {
+                alpha_across: self.alpha,
+                alpha_along: self.second,
+                fresnel,
+            },
+            BECKMANN => Brdf::CookTorrance {
+                alpha: self.alpha,
+                fresnel,
+            },
+            OREN_NAYAR => Brdf::OrenNayar {
+                albedo: over(FRAC_1_PI),
+                roughness: self.second,
+            },
+            PHONG => Brdf::Phong {
+                specular: over(phong::scale(self.second)),
+                exponent: self.second,
+            },
+            _ => Brdf::Lambert {
+                albedo: over(FRAC_1_PI),
+            },
+        }
     }
 
     /// A light for a zone, by two numbers from 0 to 1: microfacets as often as they are seen, Phong's lobe as often as it

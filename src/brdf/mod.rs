@@ -16,6 +16,7 @@ mod phong;
 
 pub use facet::Facet;
 pub(crate) use finish::Finish;
+pub use finish::Lobe;
 pub use fresnel::Fresnel;
 pub use metal::Metal;
 

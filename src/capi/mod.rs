@@ -26,12 +26,14 @@ mod material;
 mod pattern;
 #[cfg(feature = "files")]
 mod plot;
+mod sampling;
 mod shading;
 mod status;
 mod surface;
 #[cfg(feature = "svg")]
 mod svg;
 mod tool;
+mod zones;
 
 pub use cross_section::*;
 #[cfg(feature = "files")]
@@ -43,9 +45,11 @@ pub use material::*;
 pub use pattern::*;
 #[cfg(feature = "files")]
 pub use plot::*;
+pub use sampling::*;
 pub use shading::*;
 pub use status::*;
 pub use surface::*;
 #[cfg(feature = "svg")]
 pub use svg::*;
 pub use tool::*;
+pub use zones::*;

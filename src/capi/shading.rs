@@ -58,7 +58,7 @@ pub struct StriaeFrame {
     pub z: [f32; 3],
 }
 
-/// A point seen from one direction: plain data, 8.25 KiB, on the caller's stack. It need not be initialised, owns
+/// A point seen from one direction: plain data, 8 KiB at most, on the caller's stack. It need not be initialised, owns
 /// nothing, outlives its pattern, and may be copied and read by any thread. Write to none of it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -69,13 +69,18 @@ pub struct StriaeShading {
     /// looked at one by one, how many cross-sections and directions they were summed up by.
     pub scratch_count: u32,
     /// The library's own.
-    pub opaque: [u64; 1055],
+    pub opaque: [u64; 1023],
 }
 
 const _: () = assert!(
     size_of::<Shading>() <= size_of::<StriaeShading>()
         && align_of::<Shading>() <= align_of::<StriaeShading>(),
     "the C structure must hold a Shading"
+);
+
+const _: () = assert!(
+    size_of::<StriaeShading>() <= 8192,
+    "it lives on small stacks"
 );
 
 impl StriaePoint {

@@ -46,7 +46,7 @@ impl Shading {
         for relief in self.reliefs() {
             let across = relief.across;
             let sent = self.sent(relief.slots(), &pair.turned(across));
-            let mut add = |zone: &Zone| sum += zone.seen * sent.by_zone(zone.facet);
+            let mut add = |zone: &Zone| sum += zone.seen * sent.by_zone(zone);
             self.zones
                 .each_of_relief(relief, &still.turned(across), &mut add);
             for (ends, flat) in sent.by_flats() {
@@ -57,7 +57,7 @@ impl Shading {
             let across = flock.across;
             let sent = self.sent(flock.range(), &pair.turned(across));
             // All that is seen, as lit from where it is looked at.
-            let mut add = |zone: &Zone| sum += zone.lit * sent.by_zone(zone.facet);
+            let mut add = |zone: &Zone| sum += zone.lit * sent.by_zone(zone);
             self.zones
                 .each_of_flock(&flock, &still.turned(across), &mut add);
             for (ends, flat) in sent.by_flats() {
@@ -112,6 +112,7 @@ impl Shading {
             weight: finite(weight).to_array(),
             pdf,
             scratch: zone.scratch.is_some(),
+            lobe: self.zones.finish_of(zone.finish).kind(),
         })
     }
 
@@ -197,8 +198,8 @@ struct Sent {
 }
 
 impl Sent {
-    fn by_zone(&self, facet: usize) -> Vec3 {
-        self.radiance[FLATS + facet]
+    fn by_zone(&self, zone: &Zone) -> Vec3 {
+        zone.facet.map_or(Vec3::ZERO, |k| self.radiance[FLATS + k])
     }
 
     /// From where to where each flat facet reaches, and its radiance.

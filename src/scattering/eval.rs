@@ -36,7 +36,12 @@ impl Shading {
     /// View and light, unless this light or this point reflects nothing.
     pub(super) fn pair(&self, light: [f32; 3]) -> Option<Pair> {
         let light = direction(light).filter(|light| light.z >= LEAST_COS)?;
-        (self.view.z >= LEAST_COS).then(|| Pair::new(self.view, light))
+        self.is_seen().then(|| Pair::new(self.view, light))
+    }
+
+    /// Whether the view is above the surface; else the point reflects nothing.
+    pub(super) fn is_seen(&self) -> bool {
+        self.view.z >= LEAST_COS
     }
 
     /// BRDF times cosine, RGB.
@@ -75,11 +80,8 @@ impl Shading {
                 .each_of_flock(&flock, &pair, |zone| visit(zone, &pair, across));
         }
         let flat = Zone {
-            facet: 0,
-            normal: Vec3::Z,
-            finish: 0,
-            seen: rest(self.coverage()),
             lit: rest(taken),
+            ..Zone::flat(rest(self.coverage()))
         };
         visit(&flat, &pair.turned(ACROSS_SURFACE), ACROSS_SURFACE);
     }

@@ -38,6 +38,10 @@ impl Exchange {
     }
 
     /// Of a cross-section of 2 to 100 vertices.
+    #[expect(
+        clippy::large_stack_arrays,
+        reason = "46 KB; nothing may allocate while shading"
+    )]
     pub(crate) fn new(xs: &[f32], zs: &[f32]) -> Self {
         let mut corners = [DVec2::ZERO; MOST_CORNERS];
         let vertices = xs.len().min(MOST_CORNERS - 2 * FLATS);

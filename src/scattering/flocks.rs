@@ -9,7 +9,7 @@ pub(crate) const MOST_FLOCKS: usize = 128;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct Flocks {
-    /// Across travel, a unit vector times 32767.
+    /// Across travel, about 32767 long.
     across: [[i16; 2]; MOST_FLOCKS],
     share: [f32; MOST_FLOCKS],
     /// First slot and vertex count of the cross-section, one unit wide.
@@ -66,7 +66,8 @@ impl Flocks {
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = Flock> {
         (0..(self.count as usize).min(MOST_FLOCKS)).map(|i| Flock {
-            across: Vec2::from(self.across[i].map(f32::from)) / 32767.0,
+            // Rounded ones are a little longer or shorter than 1, and what is turned by them would be.
+            across: Vec2::from(self.across[i].map(f32::from)).normalize_or(Vec2::X),
             slots: self.slots[i].map(u32::from),
             share: self.share[i],
             shown: self.share[i] * self.seen_per_share,

@@ -9,13 +9,18 @@ mod eval;
 mod exchange;
 mod flocks;
 mod footprint;
+mod look;
 mod relief;
+mod reverse;
 mod sample;
 mod shading;
 mod visibility;
 mod walk;
+mod zones;
 
 pub use bounces::Bounces;
 pub use eval::Output;
+pub use look::Parameters;
 pub use sample::{Evaluated, Sample};
 pub use shading::{CrossFootprint, Shading};
+pub use zones::SeenZone;

@@ -48,8 +48,8 @@ pub(crate) struct Zones {
 /// A facet of a scratch, or the flat surface: what of the pixel it is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Zone {
-    /// Number of the facet in its scratch.
-    pub facet: usize,
+    /// Number of the facet in its scratch; none for the flat surface.
+    pub facet: Option<usize>,
     /// In the frame (across, along, up) of its scratch.
     pub normal: Vec3,
     /// Number of its finish.
@@ -58,6 +58,19 @@ pub(crate) struct Zone {
     pub seen: f32,
     /// The share in which it is seen and lit.
     pub lit: f32,
+}
+
+impl Zone {
+    /// The flat surface, seen and lit in this share of the pixel.
+    pub(crate) fn flat(share: f32) -> Self {
+        Self {
+            facet: None,
+            normal: Vec3::Z,
+            finish: 0,
+            seen: share,
+            lit: share,
+        }
+    }
 }
 
 /// One scratch in the footprint. Lengths in mm across the scratch, from its centre line.
@@ -214,7 +227,7 @@ impl Zones {
                 self.part_weight(relief, slot, both, view_slope)
             };
             visit(&Zone {
-                facet: k,
+                facet: Some(k),
                 normal: self.normal(slot),
                 finish: self.finish[slot],
                 seen: relief.gain * self.weight[slot],
@@ -223,6 +236,27 @@ impl Zones {
         });
         let lit_flat = light.flat_ends(horizon, relief.seen_flat);
         relief.gain * self.densities.taken(&relief.weight, lit_flat)
+    }
+
+    /// Visits each zone of a relief that is seen from a direction in the relief's frame, whoever the viewer is.
+    pub(crate) fn each_seen_from(&self, relief: &Relief, from: Vec3, mut visit: impl FnMut(&Zone)) {
+        let slots = relief.slots();
+        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
+        sweep(xs, zs, Across::of(from), |k, part| {
+            let slot = relief.first as usize + k;
+            // Rounded as what the viewer sees is.
+            let weight = self.part_weight(relief, slot, unpacked(packed(part)), from.x / from.z);
+            if weight > 0.0 {
+                let share = relief.gain * weight;
+                visit(&Zone {
+                    facet: Some(k),
+                    normal: self.normal(slot),
+                    finish: self.finish[slot],
+                    seen: share,
+                    lit: share,
+                });
+            }
+        });
     }
 
     /// As [`Self::each_of_relief`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.
@@ -251,7 +285,7 @@ impl Zones {
             let both = overlap(seen[k], lit);
             let slot = flock.slots[0] as usize + k;
             visit(&Zone {
-                facet: k,
+                facet: Some(k),
                 normal: self.normal(slot),
                 finish: self.finish[slot],
                 seen: flock.shown * (to - from) * width(k) / shown.max(f32::MIN_POSITIVE),
@@ -344,6 +378,11 @@ impl Zones {
         let seen = ends(view, [-0.5, 0.5]);
         let shadow = beside(seen, ends(light, seen));
         (shadow, flock.share * (shadow[1] - shadow[0]))
+    }
+
+    /// All finishes, by number; the first is the flat surface's.
+    pub(crate) fn finishes(&self) -> &[Finish] {
+        &self.finishes[..self.finish_count as usize]
     }
 
     /// The finish of this number.

@@ -3,8 +3,9 @@
 use super::eval::{finite, rest};
 use super::flocks::Flock;
 use super::relief::{MOST_FINISHES, Relief, Zone};
+use super::reverse::Directions;
 use super::shading::{LEAST_COS, Shading};
-use crate::brdf::{ACROSS_SURFACE, Pair};
+use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
 use glam::{Vec2, Vec3};
 
 /// A light chosen for a view.
@@ -18,6 +19,8 @@ pub struct Sample {
     pub pdf: f32,
     /// Whether a scratch was chosen, not the flat surface.
     pub scratch: bool,
+    /// How the zone that was chosen reflects.
+    pub lobe: Lobe,
 }
 
 /// What a point reflects of one light, and how often that light is chosen.
@@ -53,7 +56,7 @@ impl Shading {
     /// it; the others a direction, as often as the zone's base BRDF reflects it. Nothing where the point reflects
     /// nothing.
     pub fn sample(&self, u: [f32; 3]) -> Option<Sample> {
-        if self.view.z < LEAST_COS {
+        if !self.is_seen() {
             return None;
         }
         let u = u.map(|u| if u >= 0.0 { u.min(BELOW_ONE) } else { 0.0 });
@@ -73,6 +76,7 @@ impl Shading {
             weight: weight.to_array(),
             pdf,
             scratch: zone.scratch.is_some(),
+            lobe: finish.kind(),
         })
     }
 
@@ -87,18 +91,16 @@ impl Shading {
         let Some(pair) = self.pair(light) else {
             return Evaluated::default();
         };
-        let mirrored = Pair::new(pair.view, pair.light * Vec3::new(1.0, 1.0, -1.0));
+        let directions = Directions::new(pair.view, pair.light);
         let mut lobes = [0.0; MOST_FINISHES];
         let (mut density, mut seen) = (0.0, 0.0);
         self.each_zone(&pair, |zone, turned, across| {
-            let finish = self.zones.finish_of(zone.finish);
             if zone.lit > 0.0 {
+                let finish = self.zones.finish_of(zone.finish);
                 lobes[zone.finish as usize] += zone.lit * finish.lobe_cos(zone.normal, turned);
             }
             if zone.seen > 0.0 {
-                let above = finish.pdf_all(zone.normal, turned);
-                let below = finish.pdf_all(zone.normal, &mirrored.turned(across));
-                density += zone.seen * (above + below);
+                density += zone.seen * self.density(zone, turned, &directions, across);
                 seen += zone.seen;
             }
         });
@@ -164,7 +166,7 @@ impl Picked {
         if self.left >= 0.0 && zone.seen > 0.0 {
             self.chosen.finish = zone.finish;
             self.chosen.normal = zone.normal;
-            self.chosen.facet = zone.facet;
+            self.chosen.facet = zone.facet.unwrap_or(0);
         }
         self.left -= zone.seen;
     }

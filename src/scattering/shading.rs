@@ -63,6 +63,8 @@ pub struct Shading {
     relief_count: u32,
     /// 1 if light is followed from zone to zone.
     pub(super) all_bounces: u32,
+    /// What all scratches would cover were they not thinned to fill the pixel and no more, at least 1.
+    pub(super) crowding: f32,
     /// Zero for a point that reflects nothing.
     pub(super) view: Vec3,
     reliefs: [Relief; MOST_RELIEFS],
@@ -78,6 +80,7 @@ impl Default for Shading {
             scratch_count: 0,
             relief_count: 0,
             all_bounces: 0,
+            crowding: 1.0,
             view: Vec3::ZERO,
             reliefs: [Relief::NONE; MOST_RELIEFS],
             flocks: Flocks::NONE,
@@ -196,6 +199,7 @@ impl Shading {
         self.scratch_count = 0;
         self.relief_count = 0;
         self.all_bounces = 0;
+        self.crowding = 1.0;
         self.flocks.clear();
         self.zones.clear();
     }
@@ -378,11 +382,14 @@ impl Shading {
         if !all.is_finite() {
             return self.clear();
         }
-        if all > 1.0 {
+        // One scratch crowds none: in a whole pixel its relief may stand beyond the pixel's edges, and counts.
+        let alone = reliefs.len() == 1 && crowd == 0.0;
+        self.crowding = if alone { 1.0 } else { all.max(1.0) };
+        if self.crowding > 1.0 {
             reliefs.iter_mut().for_each(|relief| relief.gain /= all);
             self.flocks.scale(1.0 / all);
         }
-        self.flocks.set_seen(crowd / all.max(1.0));
+        self.flocks.set_seen(crowd / self.crowding);
         // An empty sum is -0.
         self.coverage = (0.0 + all).clamp(0.0, 1.0);
     }

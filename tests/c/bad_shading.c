@@ -102,6 +102,11 @@ static void null_arguments(void) {
     EXPECT(striae_last_error() != NULL);
 }
 
+static void size(void) {
+    protects("a shading takes 8 KiB of stack at most");
+    EXPECT(sizeof(StriaeShading) <= 8192);
+}
+
 static void releases(void) {
     protects("retaining, releasing and freeing NULL is fine");
     striae_tool_retain(NULL);
@@ -123,6 +128,7 @@ int main(void) {
     surface();
     directions();
     null_arguments();
+    size();
     releases();
     striae_pattern_release(pattern);
     return expect_summary();

@@ -3,7 +3,8 @@
 
 #include "plate_fixture.h"
 
-enum { SKIPPED = 77, POINTS = 24, VIEWS = 5, LIGHTS = 7, VALUES = POINTS * VIEWS * LIGHTS * 3 };
+enum { SKIPPED = 77, POINTS = 24, VIEWS = 5, LIGHTS = 7, PER_LIGHT = 10,
+       VALUES = POINTS * VIEWS * LIGHTS * PER_LIGHT };
 
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -30,6 +31,16 @@ static void direction(int index, int count, float tilt_deg, double length, float
     out[2] = (float)(length * cos(tilt));
 }
 
+/* A light chosen: where, how often, and what it counts. */
+static void sample(const StriaeShading *shading, int index, float values[5]) {
+    const float u[3] = {(float)index / LIGHTS, 0.3f, 0.07f * (float)index};
+    StriaeSample chosen;
+    EXPECT_OK(striae_sample(shading, u, &chosen));
+    for (int i = 0; i < 3; i++) values[i] = 1.0f + chosen.light[i]; /* 0 to 2: a component near 0 has few digits */
+    values[3] = chosen.pdf;
+    values[4] = chosen.weight[0];
+}
+
 /* Across the scratch and beyond its end, with footprints from a thousandth of its width to a hundred times it.
    `length` is that of the directions and the normal: any will do, even one whose square is no float. */
 static void shade_all(const StriaePattern *pattern, double length, float values[VALUES]) {
@@ -46,10 +57,13 @@ static void shade_all(const StriaePattern *pattern, double length, float values[
             StriaeShading shading;
             direction(v, VIEWS, 17.0f * (float)v, length, view);
             EXPECT_OK(striae_shade(pattern, &point, view, &shading));
-            for (int l = 0; l < LIGHTS; l++, next += 3) {
+            for (int l = 0; l < LIGHTS; l++, next += PER_LIGHT) {
                 float light[3];
                 direction(l, LIGHTS, 13.0f * (float)l, length, light);
                 EXPECT_OK(striae_eval(&shading, light, 0, &values[next]));
+                EXPECT_OK(striae_pdf(&shading, light, &values[next + 3]));
+                EXPECT_OK(striae_pdf_reverse(&shading, light, &values[next + 4]));
+                sample(&shading, l, &values[next + 5]);
             }
         }
     }

@@ -1,0 +1,96 @@
+//! How often the view would be chosen were the light the view, for paths that are walked from both ends.
+
+use super::eval::rest;
+use super::flocks::Flock;
+use super::relief::Zone;
+use super::shading::Shading;
+use crate::brdf::{ACROSS_SURFACE, Pair};
+use glam::{Vec2, Vec3};
+
+impl Shading {
+    /// What [`Self::pdf`] of this point's view is once the point is prepared for `light` as its view (of any length
+    /// above 0, in the local frame): told from the scratches that this point holds, without preparing another.
+    pub fn pdf_reverse(&self, light: [f32; 3]) -> f32 {
+        let Some(pair) = self.pair(light) else {
+            return 0.0;
+        };
+        let back = Directions::new(pair.light, pair.view);
+        let (mut density, mut seen) = (0.0, 0.0);
+        self.each_scratch_zone_from(pair.light, &back.above, |zone, turned, across| {
+            density += zone.seen * self.density(zone, turned, &back, across);
+            seen += zone.seen;
+        });
+        let flat = Zone::flat(rest(seen.min(1.0)));
+        if flat.seen > 0.0 {
+            let turned = back.above.turned(ACROSS_SURFACE);
+            density += flat.seen * self.density(&flat, &turned, &back, ACROSS_SURFACE);
+            seen += flat.seen;
+        }
+        let pdf = if seen > 0.0 { density / seen } else { 0.0 };
+        if pdf.is_finite() { pdf } else { 0.0 }
+    }
+
+    /// Visits each zone of scratches that is seen from `from`, as each counts before all are thinned to fill the pixel and
+    /// no more; `pair` is looked at from there.
+    fn each_scratch_zone_from(
+        &self,
+        from: Vec3,
+        pair: &Pair,
+        mut visit: impl FnMut(&Zone, &Pair, Vec2),
+    ) {
+        for relief in self.reliefs() {
+            let (across, turned) = (relief.across, pair.turned(relief.across));
+            let mut whole = *relief;
+            whole.gain *= self.crowding;
+            self.zones
+                .each_seen_from(&whole, turned.view, |zone| visit(zone, &turned, across));
+        }
+        let (mut shares, mut crowd) = (0.0, 0.0);
+        for flock in self.flocks.iter() {
+            shares += flock.share;
+            crowd += flock.share * self.zones.seen_width(flock.slots, flock.across, from);
+        }
+        for flock in self.flocks.iter() {
+            let (across, turned) = (flock.across, pair.turned(flock.across));
+            let share = flock.share * self.crowding;
+            let shown = share * (crowd / shares.max(f32::MIN_POSITIVE));
+            let whole = Flock {
+                share,
+                shown,
+                ..flock
+            };
+            self.zones
+                .each_of_flock(&whole, &turned, |zone| visit(zone, &turned, across));
+        }
+    }
+
+    /// With what density a zone's samples go up to the pair's light, whether they go there or are turned up from below the
+    /// surface. `turned` is the pair in the frame of the zone's scratch.
+    pub(super) fn density(
+        &self,
+        zone: &Zone,
+        turned: &Pair,
+        pair: &Directions,
+        across: Vec2,
+    ) -> f32 {
+        let finish = self.zones.finish_of(zone.finish);
+        let below = pair.below.turned(across);
+        finish.pdf_all(zone.normal, turned) + finish.pdf_all(zone.normal, &below)
+    }
+}
+
+/// A view with a light above the surface, and with the same light mirrored below it.
+pub(super) struct Directions {
+    above: Pair,
+    below: Pair,
+}
+
+impl Directions {
+    pub(super) fn new(view: Vec3, light: Vec3) -> Self {
+        let below = light * Vec3::new(1.0, 1.0, -1.0);
+        Self {
+            above: Pair::new(view, light),
+            below: Pair::new(view, below),
+        }
+    }
+}
