@@ -1,6 +1,7 @@
 //! Lights chosen for a shading point: as often as the density says, for what the BRDF says; on straight, curved, crossing
 //! and crowded scratches of every kind of base BRDF, seen from anywhere, in points and in wide pixels.
 
+mod bounces;
 mod distribution;
 mod energy;
 mod integrals;

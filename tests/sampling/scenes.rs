@@ -49,7 +49,7 @@ pub(crate) fn materials() -> [(&'static str, [Brdf; 2]); 6] {
 }
 
 /// Scratches of two kinds of finish through the sheet's middle: crossing, curved and, if wanted, by the hundred.
-fn pattern([scratched, surface]: [Brdf; 2], other: Brdf, crowd: usize) -> Pattern {
+pub(crate) fn pattern([scratched, surface]: [Brdf; 2], other: Brdf, crowd: usize) -> Pattern {
     let material = Material::new(150.0, surface, scratched);
     let second = Material::new(100.0, surface, other);
     let mut builder = sheet_of(&material);
@@ -96,7 +96,7 @@ fn footprint(random: &mut StdRng, kind: usize) -> Footprint {
 }
 
 /// A place near the sheet's middle.
-fn point(random: &mut StdRng, kind: usize) -> SurfacePoint {
+pub(crate) fn point(random: &mut StdRng, kind: usize) -> SurfacePoint {
     let size = single(SHEET_MM);
     SurfacePoint {
         uv: [0, 1].map(|_| 0.5 + random.random_range(-0.2..0.2) / SHEET_MM),
