@@ -143,12 +143,14 @@ pub unsafe extern "C" fn striae_set_bounces(
 /// Chooses a light for the view, about as often as it is reflected. Never allocates, locks or blocks; any number of
 /// threads at once.
 ///
-///     StriaeSample sample;
-///     striae_sample(&shading, (float[3]){next(), next(), next()}, &sample);
-///     if (sample.pdf > 0.0f) {
-///         const Radiance from = radiance(point, to_world(sample.light));
-///         for (int c = 0; c < 3; c++) sum[c] += sample.weight[c] * from.rgb[c];
-///     }
+/// @code{.c}
+/// StriaeSample sample;
+/// striae_sample(&shading, (float[3]){next(), next(), next()}, &sample);
+/// if (sample.pdf > 0.0f) {
+///   const Radiance from = radiance(point, to_world(sample.light));
+///   for (int c = 0; c < 3; c++) sum[c] += sample.weight[c] * from.rgb[c];
+/// }
+/// @endcode
 ///
 /// @param shading filled in by striae_shade()
 /// @param u three numbers from 0 up to (not including) 1: the first chooses a zone, as often as the viewer sees it, the

@@ -279,12 +279,16 @@ impl Raster {
         low: DVec2,
         high: DVec2,
     ) -> Option<(RangeInclusive<u32>, RangeInclusive<u32>)> {
-        let end = self.origin + DVec2::new(self.columns.into(), self.rows.into()) / self.per_unit;
+        let count = DVec2::new(self.columns.into(), self.rows.into());
+        let [from, to] = [low, high].map(|place| (place - self.origin) * self.per_unit);
         // A hair of slack again; false for NaN and for a grid of nothing.
-        let slack = 1e-9 / self.per_unit;
-        let touches = low.cmple(end + slack).all() && high.cmpge(self.origin - slack).all();
-        (touches && self.columns > 0)
-            .then(|| (self.cells(low.x, high.x, 0), self.cells(low.y, high.y, 1)))
+        let slack = DVec2::splat(1e-9);
+        let touches = from.cmple(count + slack).all() && to.cmpge(-slack).all();
+        let cells = |axis: usize, count: u32| {
+            let cell = |place: DVec2| cell_number(place[axis]).min(count - 1);
+            cell(from)..=cell(to)
+        };
+        (touches && self.columns > 0).then(|| (cells(0, self.columns), cells(1, self.rows)))
     }
 
     /// The cells from `low` to `high` along an axis (0 = columns), clamped to the grid.
