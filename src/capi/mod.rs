@@ -15,6 +15,7 @@
     reason = "each function's documentation is the C header's: what pointers must be is said there"
 )]
 
+mod brdf;
 mod cross_section;
 #[cfg(feature = "files")]
 mod files;
@@ -35,6 +36,7 @@ mod svg;
 mod tool;
 mod zones;
 
+pub use brdf::*;
 pub use cross_section::*;
 #[cfg(feature = "files")]
 pub use files::*;

@@ -1,8 +1,8 @@
 //! What a prepared point is made of, for C: zones for renderers with base BRDFs of their own, and a few numbers for those
 //! that take no more.
 
+use super::brdf::StriaeBrdf;
 use super::handle::{exclusive, exclusive_array};
-use super::material::StriaeBrdf;
 use super::sampling::{STRIAE_LOBE_SCRATCH, flags, prepared, vector};
 use super::shading::StriaeShading;
 use super::status::{StriaeStatus, guard};
