@@ -1,5 +1,7 @@
 //! Base BRDFs by themselves, on one facet: against textbook formulas, integrals and statistics, all in double precision.
 
+#[path = "../support/chi_square.rs"]
+mod chi_square;
 mod energy;
 mod formulas;
 mod grid;

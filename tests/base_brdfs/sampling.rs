@@ -1,18 +1,15 @@
 //! Samples are distributed as their density says, and the density is that of all of them.
 
+use super::chi_square;
 use super::grid::{ALL, Seen};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// Samples of a test of their distribution.
 const SAMPLES: u32 = 100_000;
 
 /// Chance that any one of all tests fails though the samples are right. (With the seed they have, none does.)
 const SIGNIFICANCE: f64 = 0.01;
-
-/// Cells that fewer samples are expected in are put together.
-const LEAST_EXPECTED: f64 = 8.0;
 
 /// How likely samples are to be as far from the density as these, or further.
 fn p_value(seen: &Seen, pdf: &[f64], random: &mut StdRng) -> f64 {
@@ -29,26 +26,13 @@ fn p_value(seen: &Seen, pdf: &[f64], random: &mut StdRng) -> f64 {
     }
     let expected = |share: f64| share * f64::from(SAMPLES);
     let failing = 1.0 - pdf.iter().sum::<f64>();
-    let mut cells: Vec<(f64, f64)> = counts
+    let cells: Vec<(f64, f64)> = counts
         .iter()
         .zip(pdf)
         .map(|(&count, &share)| (f64::from(count), expected(share)))
         .chain([(f64::from(failed), expected(failing).max(0.0))])
         .collect();
-    cells.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let (mut statistic, mut used, mut rest) = (0.0, 0_u32, (0.0, 0.0));
-    for (count, expected) in cells {
-        rest = (rest.0 + count, rest.1 + expected);
-        if rest.1 >= LEAST_EXPECTED {
-            statistic += (rest.0 - rest.1).powi(2) / rest.1;
-            used += 1;
-            rest = (0.0, 0.0);
-        }
-    }
-    if used < 2 {
-        return 1.0;
-    }
-    ChiSquared::new(f64::from(used - 1)).unwrap().sf(statistic)
+    chi_square::p_value(cells).unwrap_or(1.0)
 }
 
 /// Chi-square tests of samples against the density, Bonferroni's correction for their number.

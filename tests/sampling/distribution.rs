@@ -1,12 +1,12 @@
 //! Samples are distributed as their density says, the density is that of all of them, and each counts what it must.
 
+use super::chi_square;
 use super::each;
 use super::integrals::{CELLS, cell, cells};
 use super::scenes::{ALL, Prepared};
 use super::support::{random, relative};
 use rand::Rng;
 use rand::rngs::StdRng;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::sync::LazyLock;
 use striae::scattering::Output;
 
@@ -15,9 +15,6 @@ const SAMPLES: u32 = 20_000;
 
 /// Chance that any one of all tests fails though the samples are right. (With the seeds they have, none does.)
 const SIGNIFICANCE: f64 = 0.01;
-
-/// Cells that fewer samples are expected in are put together.
-const LEAST_EXPECTED: f64 = 8.0;
 
 /// Of each shading point, cell by cell: integrals of density and of BRDF times cosine.
 pub(crate) static INTEGRALS: LazyLock<Vec<Vec<[f64; 2]>>> =
@@ -37,24 +34,14 @@ fn p_value(prepared: &Prepared, integrals: &[[f64; 2]], random: &mut StdRng) -> 
             None => failed += 1,
         }
     }
-    let mut cells: Vec<(f64, f64)> = counts
+    let cells: Vec<(f64, f64)> = counts
         .iter()
         .zip(integrals)
         .map(|(&count, &[share, _])| (f64::from(count), share * f64::from(SAMPLES)))
         .chain([(f64::from(failed), 0.0)])
         .collect();
-    cells.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let (mut statistic, mut used, mut rest) = (0.0, 0_u32, (0.0, 0.0));
-    for (count, expected) in cells {
-        rest = (rest.0 + count, rest.1 + expected);
-        if rest.1 >= LEAST_EXPECTED {
-            statistic += (rest.0 - rest.1).powi(2) / rest.1;
-            used += 1;
-            rest = (0.0, 0.0);
-        }
-    }
-    assert!(used > 1, "{}: all samples in one cell", prepared.name);
-    ChiSquared::new(f64::from(used - 1)).unwrap().sf(statistic)
+    chi_square::p_value(cells)
+        .unwrap_or_else(|| panic!("{}: all samples in one cell", prepared.name))
 }
 
 /// Chi-square tests of samples against the density, with Šidák's correction for their number.

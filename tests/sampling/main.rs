@@ -2,6 +2,8 @@
 //! and crowded scratches of every kind of base BRDF, seen from anywhere, in points and in wide pixels.
 
 mod bounces;
+#[path = "../support/chi_square.rs"]
+mod chi_square;
 mod distribution;
 mod energy;
 mod integrals;
