@@ -50,6 +50,7 @@ mod error;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod formation;
+mod lanes;
 pub mod pattern;
 pub mod scattering;
 

@@ -4,41 +4,45 @@
 //! V-grooves are one of the two models of masking that are exact (Heitz 2014, "Understanding the masking-shadowing
 //! function"): no light is gained, and visible normals are sampled exactly.
 
-use super::Pair;
+use super::Local;
+use crate::lanes::Number;
 use core::f32::consts::PI;
 use glam::{Vec2, Vec3};
 
 /// Half vectors lower than this are no microfacets': their density is below 1e-38 at any width.
 const LEAST_HALF_COS: f32 = 0.08;
 
-/// The density of microfacets whose normal is `half`, in the zone's own frame.
-fn distribution(alpha: f32, half: Vec3) -> f32 {
-    let cos2 = half.z * half.z;
-    if half.z < LEAST_HALF_COS {
-        return 0.0;
-    }
+/// The density of microfacets whose normal is the half vector.
+#[inline(always)]
+fn distribution<F: Number>(alpha: f32, pair: &Local<F>) -> F {
+    let half = &pair.half;
     let a2 = alpha * alpha;
+    let cos2 = half.z * half.z;
     let tan2 = (half.x * half.x + half.y * half.y) / cos2;
-    (-tan2 / a2).exp() / (PI * a2 * cos2 * cos2)
+    let density = (tan2 / -a2).each(|_, power| power.exp()) / (cos2 * cos2 * (PI * a2));
+    half.z
+        .if_above(half.z.like(LEAST_HALF_COS), density, half.z.like(0.0))
 }
 
-/// The share of microfacets like `half` that is not masked, over the cosine of the direction.
-fn seen_over_cos(half: Vec3, cos: f32, view_half: f32) -> f32 {
-    (1.0 / cos).min(2.0 * half.z / view_half)
+/// The share of microfacets like the half vector that is not masked, over the cosine of the direction.
+#[inline(always)]
+fn seen_over_cos<F: Number>(pair: &Local<F>, cos: F) -> F {
+    (cos.like(1.0) / cos).min(pair.half.z * 2.0 / pair.view_half)
 }
 
-/// D G / (4 n·l n·v) · n·l, for both cosines above 0; the pair in the zone's own frame.
-pub(super) fn lobe_cos(alpha: f32, pair: &Pair) -> f32 {
+/// D G / (4 n·l n·v) · n·l, for both cosines above 0.
+#[inline(always)]
+pub(super) fn lobe_cos<F: Number>(alpha: f32, pair: &Local<F>) -> F {
     let lower = pair.light.z.min(pair.view.z);
     // What the lower direction does not see is the only part lost: both are masked by the same walls.
-    let seen = lower * seen_over_cos(pair.half, lower, pair.view_half);
-    0.25 * distribution(alpha, pair.half) * seen / pair.view.z
+    let seen = lower * seen_over_cos(pair, lower);
+    distribution(alpha, pair) * seen * 0.25 / pair.view.z
 }
 
 /// The density of [`sample`] mirrored to lights, per steradian.
-pub(super) fn pdf(alpha: f32, pair: &Pair) -> f32 {
-    let seen = seen_over_cos(pair.half, pair.view.z, pair.view_half);
-    0.25 * distribution(alpha, pair.half) * seen
+#[inline(always)]
+pub(super) fn pdf<F: Number>(alpha: f32, pair: &Local<F>) -> F {
+    distribution(alpha, pair) * seen_over_cos(pair, pair.view.z) * 0.25
 }
 
 /// A microfacet's normal, as often as the view sees it.

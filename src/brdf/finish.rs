@@ -1,7 +1,8 @@
 //! A base BRDF made ready for evaluation: plain numbers, valid whatever their bits, so that a shading point
 //! may live in a caller's uninitialised memory.
 
-use super::{Brdf, Fresnel, Pair, beckmann, ggx, lambert, oren_nayar, phong};
+use super::{Brdf, Fresnel, Local, Pair, beckmann, ggx, lambert, oren_nayar, phong};
+use crate::lanes::{Lanes, Number, One};
 use core::f32::consts::FRAC_1_PI;
 use glam::{Vec2, Vec3};
 
@@ -138,31 +139,33 @@ impl Finish {
 
     /// The part that depends on the zone's normal, times n · light; 0 unless both directions are above it.
     pub(crate) fn lobe_cos(&self, normal: Vec3, pair: &Pair) -> f32 {
-        let n_l = normal.dot(pair.light);
-        let n_v = normal.dot(pair.view);
-        if n_l <= LEAST_COS || n_v <= LEAST_COS {
-            return 0.0;
-        }
-        match self.lobe {
-            LAMBERT => n_l,
-            GGX => ggx::lobe_cos(self.alpha, normal, pair.half, n_l, n_v),
-            _ => self.further_lobe_cos(&pair.tilted(normal)),
-        }
+        self.lobes_cos(One, &pair.tilted(normal.x, normal.z))
     }
 
-    /// Lobes that need more of the pair than cosines: kept apart, so that the others stay short.
-    #[inline(never)]
-    fn further_lobe_cos(&self, pair: &Pair) -> f32 {
-        if !is_above(pair.light) || !is_above(pair.view) {
-            return 0.0;
-        }
-        match self.lobe {
-            ANISOTROPIC_GGX => ggx::anisotropic_lobe_cos(self.alphas(), pair),
-            BECKMANN => beckmann::lobe_cos(self.alpha, pair),
-            OREN_NAYAR => oren_nayar::lobe_cos(self.second, pair),
-            PHONG => phong::lobe_cos(self.second, pair),
-            _ => 0.0,
-        }
+    /// The same for a pair as zones see it.
+    #[inline(always)]
+    pub(crate) fn lobes_cos<L: Lanes>(&self, lanes: L, pair: &Local<L::F>) -> L::F {
+        let lobe = match self.lobe {
+            LAMBERT => pair.light.z,
+            GGX | ANISOTROPIC_GGX => ggx::lobe_cos(self.alphas(), pair),
+            _ => self.further_lobes_cos(lanes, pair),
+        };
+        let lobe = if_above(pair.view.z, lobe);
+        if_above(pair.light.z, lobe)
+    }
+
+    /// Lobes that are used less: kept apart, so that the others stay short.
+    #[inline(always)]
+    fn further_lobes_cos<L: Lanes>(&self, lanes: L, pair: &Local<L::F>) -> L::F {
+        lanes.call(
+            #[inline(always)]
+            || match self.lobe {
+                BECKMANN => beckmann::lobe_cos(self.alpha, pair),
+                OREN_NAYAR => oren_nayar::lobe_cos(self.second, pair),
+                PHONG => phong::lobe_cos(self.second, pair),
+                _ => lanes.all(0.0),
+            },
+        )
     }
 
     /// Widths of the distribution of slopes, across the scratch and along it; 1 if it is diffuse.
@@ -246,26 +249,32 @@ impl Finish {
     /// The density of [`Self::sample`] at the pair's light, per steradian; 0 unless both directions are above the
     /// zone. Adds up to 1 less the share of samples that fail.
     pub(crate) fn pdf(&self, normal: Vec3, pair: &Pair) -> f32 {
-        if !is_above(onto_zone(normal, pair.light)) {
-            return 0.0;
-        }
-        self.pdf_all(normal, pair)
+        let pair = pair.tilted(normal.x, normal.z);
+        if_above(pair.light.z, self.pdfs(One, &pair))
     }
 
-    /// The density of [`Self::sample_all`]: adds up to 1 over the whole sphere.
-    pub(crate) fn pdf_all(&self, normal: Vec3, pair: &Pair) -> f32 {
-        let pair = pair.tilted(normal);
-        if !is_above(pair.view) {
-            return 0.0;
-        }
-        match self.lobe {
-            GGX | ANISOTROPIC_GGX if is_above(pair.half) => ggx::pdf(self.alphas(), &pair),
-            BECKMANN => beckmann::pdf(self.alpha, &pair),
-            PHONG => phong::pdf(self.second, &pair),
-            OREN_NAYAR if is_above(pair.light) => oren_nayar::pdf(self.second, &pair),
-            LAMBERT if is_above(pair.light) => lambert::pdf(pair.light.z),
-            _ => 0.0,
-        }
+    /// The density of [`Self::sample_all`] for a pair as zones see it: adds up to 1 over the whole sphere.
+    #[inline(always)]
+    pub(crate) fn pdfs<L: Lanes>(&self, lanes: L, pair: &Local<L::F>) -> L::F {
+        let density = match self.lobe {
+            LAMBERT => if_above(pair.light.z, lambert::pdf(pair.light.z)),
+            GGX | ANISOTROPIC_GGX => if_above(pair.half.z, ggx::pdf(self.alphas(), pair)),
+            _ => self.further_pdfs(lanes, pair),
+        };
+        if_above(pair.view.z, density)
+    }
+
+    #[inline(always)]
+    fn further_pdfs<L: Lanes>(&self, lanes: L, pair: &Local<L::F>) -> L::F {
+        lanes.call(
+            #[inline(always)]
+            || match self.lobe {
+                BECKMANN => beckmann::pdf(self.alpha, pair),
+                PHONG => phong::pdf(self.second, pair),
+                OREN_NAYAR => if_above(pair.light.z, oren_nayar::pdf(self.second, pair)),
+                _ => lanes.all(0.0),
+            },
+        )
     }
 
     /// The share of light that a zone reflects towards a view, RGB: an estimate by a few samples, within 0.04.
@@ -295,12 +304,18 @@ fn hammersley(i: u32) -> [f32; 2] {
     [i, reversed].map(|n| (n as f32 + 0.5) * share)
 }
 
+/// `value` for directions of this cosine that are above the zone, else 0.
+#[inline(always)]
+fn if_above<F: Number>(cos: F, value: F) -> F {
+    cos.if_above(cos.like(LEAST_COS), value, cos.like(0.0))
+}
+
 fn is_above(direction: Vec3) -> bool {
     direction.z > LEAST_COS
 }
 
 /// A direction in the zone's own frame, its normal (x, 0, z) upwards.
-pub(super) fn onto_zone(normal: Vec3, w: Vec3) -> Vec3 {
+fn onto_zone(normal: Vec3, w: Vec3) -> Vec3 {
     let (x, z) = (normal.x, normal.z);
     Vec3::new(w.x * z - w.z * x, w.y, w.x * x + w.z * z)
 }

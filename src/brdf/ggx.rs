@@ -1,43 +1,33 @@
 //! GGX microfacets (Walter et al. 2007) with height-correlated Smith masking (Heitz 2014).
 
-use super::Pair;
+use super::Local;
+use crate::lanes::{Number, Vector};
 use core::f32::consts::{PI, TAU};
 use glam::{Vec2, Vec3};
 
-/// D G / (4 n·l n·v) · n·l of facets as rough along as across, for both cosines above 0.
-pub(super) fn lobe_cos(alpha: f32, normal: Vec3, half: Vec3, n_l: f32, n_v: f32) -> f32 {
-    distribution(alpha, normal, half) * n_l * visibility(alpha, n_l, n_v)
+/// D G / (4 n·l n·v) · n·l of facets `alpha` wide across and along, for both cosines above 0.
+#[inline(always)]
+pub(super) fn lobe_cos<F: Number>(alpha: Vec2, pair: &Local<F>) -> F {
+    let (light, view) = (&pair.light, &pair.view);
+    let visibility =
+        light.z.like(0.5) / (light.z * smith(alpha, view) + view.z * smith(alpha, light));
+    distribution(alpha, &pair.half) * light.z * visibility
 }
 
-/// The density of microfacets whose normal is `half`.
-///
-/// cos² (a² - 1) + 1 is written sin² + a² cos², the sine from a cross product: no cancellation near the
+/// The density of microfacets whose normal is `half`: sines and cosine each by themselves, so that nothing cancels near the
 /// highlight's centre.
-fn distribution(alpha: f32, normal: Vec3, half: Vec3) -> f32 {
-    let a2 = alpha * alpha;
-    let cos = normal.dot(half);
-    let denominator = normal.cross(half).length_squared() + a2 * cos * cos;
-    a2 / (PI * denominator * denominator)
+#[inline(always)]
+fn distribution<F: Number>(alpha: Vec2, half: &Vector<F>) -> F {
+    let (x, y) = (half.x * (1.0 / alpha.x), half.y * (1.0 / alpha.y));
+    let denominator = x * x + y * y + half.z * half.z;
+    denominator.like(1.0 / (PI * alpha.x * alpha.y)) / (denominator * denominator)
 }
 
-/// G / (4 n·l n·v), height-correlated.
-fn visibility(alpha: f32, n_l: f32, n_v: f32) -> f32 {
-    let a2 = alpha * alpha;
-    let smith = |cos: f32| (a2 + (1.0 - a2) * cos * cos).sqrt();
-    0.5 / (n_l * smith(n_v) + n_v * smith(n_l))
-}
-
-/// The same as [`lobe_cos`], of facets `alpha` wide across and along; the pair in the zone's own frame.
-pub(super) fn anisotropic_lobe_cos(alpha: Vec2, pair: &Pair) -> f32 {
-    let (n_l, n_v) = (pair.light.z, pair.view.z);
-    let smith = |w: Vec3| (w * alpha.extend(1.0)).length();
-    let visibility = 0.5 / (n_l * smith(pair.view) + n_v * smith(pair.light));
-    anisotropic_distribution(alpha, pair.half) * n_l * visibility
-}
-
-fn anisotropic_distribution(alpha: Vec2, half: Vec3) -> f32 {
-    let denominator = (half / alpha.extend(1.0)).length_squared();
-    1.0 / (PI * alpha.x * alpha.y * denominator * denominator)
+/// Its excess over the cosine is what masking takes.
+#[inline(always)]
+fn smith<F: Number>(alpha: Vec2, w: &Vector<F>) -> F {
+    let (x, y) = (w.x * alpha.x, w.y * alpha.y);
+    (x * x + y * y + w.z * w.z).sqrt()
 }
 
 /// A microfacet's normal, as often as the view sees it (Dupuy and Benyoub 2023, "Sampling visible GGX normals with
@@ -53,7 +43,7 @@ pub(super) fn sample(alpha: Vec2, u: [f32; 2], view: Vec3) -> Vec3 {
 }
 
 /// The density of [`sample`] mirrored to lights, per steradian.
-pub(super) fn pdf(alpha: Vec2, pair: &Pair) -> f32 {
-    let smith = (pair.view * alpha.extend(1.0)).length();
-    0.5 * anisotropic_distribution(alpha, pair.half) / (pair.view.z + smith)
+#[inline(always)]
+pub(super) fn pdf<F: Number>(alpha: Vec2, pair: &Local<F>) -> F {
+    distribution(alpha, &pair.half) * 0.5 / (pair.view.z + smith(alpha, &pair.view))
 }

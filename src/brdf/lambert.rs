@@ -1,5 +1,6 @@
 //! Perfectly diffuse reflection, and the sampling that all diffuse base BRDFs share: by the cosine.
 
+use crate::lanes::Number;
 use core::f32::consts::{FRAC_1_PI, TAU};
 use glam::Vec3;
 
@@ -15,6 +16,7 @@ pub(super) fn sample(u: [f32; 2]) -> Vec3 {
 }
 
 /// The density of [`sample`] at a light of this cosine, per steradian.
-pub(super) fn pdf(n_l: f32) -> f32 {
+#[inline(always)]
+pub(super) fn pdf<F: Number>(n_l: F) -> F {
     n_l * FRAC_1_PI
 }

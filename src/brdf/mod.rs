@@ -21,7 +21,7 @@ pub use fresnel::Fresnel;
 pub use metal::Metal;
 
 use crate::error::{Result, in_range, rgb_in_range};
-use finish::onto_zone;
+use crate::lanes::{Number, Vector};
 use glam::{Vec2, Vec3};
 
 /// The flat surface's axis across its polishing lines, which run along the local frame's x.
@@ -89,6 +89,15 @@ pub(crate) struct Pair {
     pub view_half: f32,
 }
 
+/// A pair as one zone sees it, or eight do: in the zone's own frame (across, along, normal).
+#[derive(Clone, Copy)]
+pub(crate) struct Local<F> {
+    pub view: Vector<F>,
+    pub light: Vector<F>,
+    pub half: Vector<F>,
+    pub view_half: f32,
+}
+
 impl Pair {
     pub(crate) fn new(view: Vec3, light: Vec3) -> Self {
         let sum = view + light;
@@ -103,12 +112,18 @@ impl Pair {
         }
     }
 
-    /// The same pair in the frame of a zone whose normal is (x, 0, z).
-    pub(crate) fn tilted(&self, normal: Vec3) -> Self {
-        Self {
-            view: onto_zone(normal, self.view),
-            light: onto_zone(normal, self.light),
-            half: onto_zone(normal, self.half),
+    /// The same pair in the frames of zones whose normals are (x, 0, z).
+    #[inline(always)]
+    pub(crate) fn tilted<F: Number>(&self, x: F, z: F) -> Local<F> {
+        let onto_zone = |w: Vec3| Vector {
+            x: z * w.x - x * w.z,
+            y: x.like(w.y),
+            z: x * w.x + z * w.z,
+        };
+        Local {
+            view: onto_zone(self.view),
+            light: onto_zone(self.light),
+            half: onto_zone(self.half),
             view_half: self.view_half,
         }
     }

@@ -2,7 +2,8 @@
 //! reflectance model for physically based rendering"): (n + 2) / 2 pi, so that white reflects all light at normal incidence
 //! and never more. At an angle it reflects less, a sharp one about its cosine: the model's own.
 
-use super::Pair;
+use super::Local;
+use crate::lanes::Number;
 use core::f32::consts::TAU;
 use glam::Vec3;
 
@@ -16,19 +17,22 @@ pub(super) fn alpha(exponent: f32) -> f32 {
     1.0 / (2.0 * exponent + 1.0).sqrt()
 }
 
-/// The cosine between mirrored view and light to the power of `exponent`; the pair in the zone's own frame.
-fn power(exponent: f32, pair: &Pair) -> f32 {
+/// The cosine between mirrored view and light to the power of `exponent`.
+#[inline(always)]
+fn power<F: Number>(exponent: f32, pair: &Local<F>) -> F {
     // 1 - cos from the two directions' distance: exact where sharp lobes need it.
-    let apart = Vec3::new(-pair.view.x, -pair.view.y, pair.view.z) - pair.light;
-    let one_minus_cos = 0.5 * apart.length_squared();
-    if one_minus_cos >= 1.0 {
-        return 0.0;
-    }
-    (exponent * (-one_minus_cos).ln_1p()).exp()
+    let (x, y) = (pair.view.x + pair.light.x, pair.view.y + pair.light.y);
+    let z = pair.view.z - pair.light.z;
+    let one_minus_cos = (x * x + y * y + z * z) * 0.5;
+    one_minus_cos.each(|_, less| match less {
+        less if less < 1.0 => (exponent * (-less).ln_1p()).exp(),
+        _ => 0.0,
+    })
 }
 
 /// The lobe times n · light.
-pub(super) fn lobe_cos(exponent: f32, pair: &Pair) -> f32 {
+#[inline(always)]
+pub(super) fn lobe_cos<F: Number>(exponent: f32, pair: &Local<F>) -> F {
     power(exponent, pair) * pair.light.z
 }
 
@@ -44,6 +48,7 @@ pub(super) fn sample(exponent: f32, u: [f32; 2], view: Vec3) -> Vec3 {
 }
 
 /// The density of [`sample`], per steradian.
-pub(super) fn pdf(exponent: f32, pair: &Pair) -> f32 {
-    (exponent + 1.0) / TAU * power(exponent, pair)
+#[inline(always)]
+pub(super) fn pdf<F: Number>(exponent: f32, pair: &Local<F>) -> F {
+    power(exponent, pair) * ((exponent + 1.0) / TAU)
 }

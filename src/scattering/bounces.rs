@@ -5,9 +5,10 @@ use super::exchange::{Exchange, FLATS};
 use super::relief::Zone;
 use super::sample::{Chosen, Held, Sample, turned_back, upwards};
 use super::shading::Shading;
-use super::visibility::{Across, Part, sweep};
+use super::visibility::{Across, Parts};
 use super::walk::{Ground, Left, Numbers, Place};
 use crate::brdf::{ACROSS_SURFACE, Pair};
+use crate::lanes::One;
 use core::f32::consts::FRAC_1_PI;
 use core::ops::Range;
 use glam::Vec3;
@@ -42,13 +43,14 @@ impl Shading {
     /// What reaches the viewer after more than one bounce: BRDF times cosine, RGB.
     pub(super) fn indirect(&self, pair: &Pair) -> Vec3 {
         let mut sum = Vec3::ZERO;
+        let mut parts = [const { Parts::new() }; 2];
         let still = Pair::new(pair.view, pair.view);
         for relief in self.reliefs() {
             let across = relief.across;
             let sent = self.sent(relief.slots(), &pair.turned(across));
             let mut add = |zone: &Zone| sum += zone.seen * sent.by_zone(zone);
             self.zones
-                .each_of_relief(relief, &still.turned(across), &mut add);
+                .each_of_relief(One, &mut parts[0], relief, &still.turned(across), &mut add);
             for (ends, flat) in sent.by_flats() {
                 sum += self.zones.flat_weight(relief, ends) * flat;
             }
@@ -59,7 +61,7 @@ impl Shading {
             // All that is seen, as lit from where it is looked at.
             let mut add = |zone: &Zone| sum += zone.lit * sent.by_zone(zone);
             self.zones
-                .each_of_flock(&flock, &still.turned(across), &mut add);
+                .each_of_flock(One, &mut parts, &flock, &still.turned(across), &mut add);
             for (ends, flat) in sent.by_flats() {
                 sum += flock.share * (ends[1] - ends[0]) * flat;
             }
@@ -74,17 +76,14 @@ impl Shading {
         let facets = ground.xs.len() - 1;
         // The flat surface, unless it is found to be a facet.
         let mut direct = [pair.light.z; Exchange::MOST_FACETS];
-        sweep(
-            ground.xs,
-            ground.zs,
-            Across::of(pair.light),
-            |k, [from, to]| {
-                let x = ground.normal_x[k];
-                let up = (1.0 - x * x).max(0.0).sqrt();
-                let cos = x * pair.light.x + up * pair.light.z;
-                direct[FLATS + k] = (to - from).max(0.0) * cos.max(0.0);
-            },
-        );
+        let mut parts = Parts::new();
+        parts.sweep(One, ground.xs, ground.zs, facets, Across::of(pair.light));
+        for k in 0..facets {
+            let ([from, to], x) = (parts.of(k), ground.normal_x[k]);
+            let up = (1.0 - x * x).max(0.0).sqrt();
+            let cos = x * pair.light.x + up * pair.light.z;
+            direct[FLATS + k] = (to - from).max(0.0) * cos.max(0.0);
+        }
         let albedo = |i: usize| {
             let facet = i.checked_sub(FLATS).filter(|k| *k < facets);
             self.zones.albedo_of(facet.map_or(0, |k| ground.finish[k]))
@@ -133,12 +132,10 @@ impl Shading {
             }
             Held::Flock(flock) => {
                 let ground = self.zones.ground(flock.range(), zone.across);
-                let mut seen: Part = [0.0; 2];
-                sweep(ground.xs, ground.zs, Across::of(view), |k, part| {
-                    if k == zone.facet {
-                        seen = part;
-                    }
-                });
+                let mut parts = Parts::new();
+                let facets = ground.xs.len() - 1;
+                parts.sweep(One, ground.xs, ground.zs, facets, Across::of(view));
+                let seen = parts.of(zone.facet);
                 let share = seen[0] + random.next() * (seen[1] - seen[0]);
                 (flock.range(), share)
             }

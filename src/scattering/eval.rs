@@ -2,7 +2,9 @@
 
 use super::relief::{MOST_FINISHES, Zone};
 use super::shading::{LEAST_COS, Shading, direction};
+use super::visibility::Parts;
 use crate::brdf::{ACROSS_SURFACE, Pair};
+use crate::lanes::{Lanes, Number, in_lanes};
 use glam::{Vec2, Vec3};
 
 /// Weights that should add up to 1 do so within this; less flat surface than that is none, or it would shine
@@ -46,16 +48,7 @@ impl Shading {
 
     /// BRDF times cosine, RGB.
     pub(super) fn reflected(&self, pair: &Pair) -> Vec3 {
-        let mut lobes = [0.0; MOST_FINISHES];
-        self.each_zone(pair, |zone, pair, _| {
-            if zone.lit > 0.0 {
-                let lobe = self
-                    .zones
-                    .finish_of(zone.finish)
-                    .lobe_cos(zone.normal, pair);
-                lobes[zone.finish as usize] += zone.lit * lobe;
-            }
-        });
+        let lobes = in_lanes!(lanes => self.lobes(lanes, pair));
         let mut sum = self.zones.colour(&lobes, pair);
         if self.has_all_bounces() {
             sum += self.indirect(pair);
@@ -63,26 +56,69 @@ impl Shading {
         finite(sum)
     }
 
+    /// What the lobes of each finish add up to.
+    #[inline(always)]
+    fn lobes<L: Lanes>(&self, lanes: L, pair: &Pair) -> [f32; MOST_FINISHES] {
+        let mut lobes = [0.0; MOST_FINISHES];
+        self.each_zone(
+            lanes,
+            pair,
+            #[inline(always)]
+            |zone, pair, _| lobes[zone.finish as usize] += self.lobe(lanes, zone, pair),
+        );
+        lobes
+    }
+
+    /// What of a finish's colour lit zones reflect; `pair` is in the frame of their scratch.
+    #[inline(always)]
+    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Pair) -> f32 {
+        if !zone.lit.any() {
+            return 0.0;
+        }
+        let [x, z] = zone.normal;
+        let finish = self.zones.finish_of(zone.finish);
+        let lobes = finish.lobes_cos(lanes, &pair.tilted(x, z));
+        let none = lanes.all(0.0);
+        // Where no light falls a lobe may be anything.
+        (zone.lit.if_above(none, zone.lit * lobes, none)).sum()
+    }
+
     /// Visits each zone that the viewer sees, with view and light in the frame of its scratch and that frame's first
     /// axis; the flat surface comes last.
-    pub(super) fn each_zone(&self, pair: &Pair, mut visit: impl FnMut(&Zone, &Pair, Vec2)) {
+    #[inline(always)]
+    pub(super) fn each_zone<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Pair,
+        mut visit: impl FnMut(&Zone<L::F>, &Pair, Vec2),
+    ) {
         let mut taken = 0.0;
+        let mut parts = Parts::new();
         for relief in self.reliefs() {
             let (across, pair) = (relief.across, pair.turned(relief.across));
-            taken += self
-                .zones
-                .each_of_relief(relief, &pair, |zone| visit(zone, &pair, across));
+            taken += self.zones.each_of_relief(
+                lanes,
+                &mut parts,
+                relief,
+                &pair,
+                #[inline(always)]
+                |zone| visit(zone, &pair, across),
+            );
         }
+        // To clear them takes as long as to look at a scratch: where there is no flock they are not.
+        let mut both = None;
         for flock in self.flocks.iter() {
             let (across, pair) = (flock.across, pair.turned(flock.across));
-            taken += self
-                .zones
-                .each_of_flock(&flock, &pair, |zone| visit(zone, &pair, across));
+            taken += self.zones.each_of_flock(
+                lanes,
+                both.get_or_insert_with(|| [const { Parts::new() }; 2]),
+                &flock,
+                &pair,
+                #[inline(always)]
+                |zone| visit(zone, &pair, across),
+            );
         }
-        let flat = Zone {
-            lit: rest(taken),
-            ..Zone::flat(rest(self.coverage()))
-        };
+        let flat = Zone::flat(lanes, rest(self.coverage()), rest(taken));
         visit(&flat, &pair.turned(ACROSS_SURFACE), ACROSS_SURFACE);
     }
 }

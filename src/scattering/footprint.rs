@@ -1,6 +1,7 @@
 //! How much of a pixel's box filter falls between two lines along a scratch (section 3 of the model: the
 //! distribution T, here from any convex region).
 
+use crate::lanes::Number;
 use crate::pattern::{MOST_CORNERS, Region};
 use crate::single;
 use glam::DVec2;
@@ -169,9 +170,11 @@ impl Densities {
     }
 
     /// The weight between x = `from` and x = `to`; 0 if they are swapped.
-    pub(crate) fn between(&self, weight: &Weight, from: f32, to: f32) -> f32 {
+    #[inline(always)]
+    pub(crate) fn between<F: Number>(&self, weight: &Weight, from: F, to: F) -> F {
         let pieces = self.pieces(weight).iter();
-        pieces.map(|piece| piece.between(from, to)).sum()
+        let none = from.like(0.0);
+        pieces.fold(none, |sum, piece| sum + piece.between(from, to))
     }
 
     /// The weight of the flat surface that the scratch takes from the pixel between x = `from` and `to`.
@@ -205,26 +208,23 @@ impl Densities {
 impl Piece {
     /// The part of its weight between x = `from` and x = `to`. Differences are taken of places, never of
     /// running sums, so that a facet a millionth of the pixel keeps its digits.
-    fn between(&self, from: f32, to: f32) -> f32 {
+    #[inline(always)]
+    fn between<F: Number>(&self, from: F, to: F) -> F {
+        let (none, all) = (from.like(0.0), from.like(self.weight));
+        let (first, last) = (from.like(self.from), from.like(self.to));
         let width = self.to - self.from;
         if width <= 0.0 {
             // Thinner than single precision can tell: all of it lies at one place.
-            return if from <= self.from && self.from < to {
-                self.weight
-            } else {
-                0.0
-            };
+            let ends_after = to.if_above(first, all, none);
+            return from.if_above(first, none, ends_after);
         }
-        let (a, b) = (from.max(self.from), to.min(self.to));
-        if a >= b {
-            return 0.0;
-        }
-        if a == self.from && b == self.to {
-            return self.weight;
-        }
-        let off_middle = ((a - self.from) - (self.to - b)) / width;
-        let share = (b - a) / width * (1.0 + self.skew * off_middle);
-        self.weight * share
+        let (a, b) = (from.max(first), to.min(last));
+        let off_middle = ((a - self.from) - (-b + self.to)) / width;
+        let share = (b - a) / width * (off_middle * self.skew + 1.0);
+        let inside = b.if_above(a, share * self.weight, none);
+        // Exactly all of it, if both ends lie outside.
+        let to_the_end = last.if_above(to, inside, all);
+        from.if_above(first, inside, to_the_end)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::relief::Zone;
 use super::shading::Shading;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
+use crate::lanes::One;
 use glam::{Vec2, Vec3};
 
 /// Samples that an estimate of reflectance takes.
@@ -48,7 +49,8 @@ struct Slopes {
 impl Slopes {
     /// A zone's own slope, and those of its microfacets: alphas across and along.
     fn add(&mut self, zone: &Zone, across: Vec2, alphas: Vec2) {
-        let slope = (zone.normal.x / zone.normal.z.max(1.0 / STEEPEST)).clamp(-STEEPEST, STEEPEST);
+        let slope =
+            (zone.normal[0] / zone.normal[1].max(1.0 / STEEPEST)).clamp(-STEEPEST, STEEPEST);
         let along = Vec2::new(-across.y, across.x);
         let variance = 0.5 * alphas * alphas;
         self.weight += zone.seen;
@@ -104,7 +106,7 @@ impl Shading {
             return scratches.lobe(self.coverage());
         }
         let surface = self.zones.finish_of(0).alphas();
-        scratches.add(&Zone::flat(1.0), ACROSS_SURFACE, surface);
+        scratches.add(&Zone::flat(One, 1.0, 1.0), ACROSS_SURFACE, surface);
         scratches.lobe(0.0)
     }
 
@@ -143,7 +145,7 @@ impl Shading {
             return;
         }
         // No light matters here.
-        self.each_zone(&Pair::new(self.view, self.view), |zone, _, across| {
+        self.each_zone(One, &Pair::new(self.view, self.view), |zone, _, across| {
             if zone.seen > 0.0 {
                 visit(zone, across);
             }

@@ -2,10 +2,11 @@
 
 use super::flocks::Flock;
 use super::footprint::{Densities, Weight};
-use super::visibility::{Across, Part, overlap, sweep};
+use super::visibility::{Across, Parts, horizon};
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
-use crate::pattern::{MOST_CLASS_VERTICES, Palette};
+use crate::lanes::{Lanes, Number, One, in_lanes};
+use crate::pattern::Palette;
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
 use glam::{Vec2, Vec3};
@@ -14,7 +15,7 @@ use glam::{Vec2, Vec3};
 pub(crate) const MOST_RELIEFS: usize = 17;
 
 /// Vertices that a shading point holds for all its scratches together.
-pub(crate) const MOST_SLOTS: usize = 200;
+pub(crate) const MOST_SLOTS: usize = 192;
 
 /// Different finishes that a shading point holds, the surface's among them. Zones of further ones reflect like the last.
 pub(crate) const MOST_FINISHES: usize = 8;
@@ -22,21 +23,25 @@ pub(crate) const MOST_FINISHES: usize = 8;
 /// A shadow at grazing light is followed to this many times the height it falls from (down to 2.9 degrees).
 pub(crate) const LONGEST_SHADOW: f32 = 20.0;
 
+/// Slots, and room for the register that is read from the last one.
+const ROOM: usize = MOST_SLOTS + 8;
+
 /// All zones of one shading point, in flat arrays: facet k of a relief runs from vertex k to k + 1 and
-/// has its own values in slot k (the last vertex's slot has none).
+/// has its own values in slot k (the last vertex's slot has none). Flat, so that eight facets are one load.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct Zones {
-    x: [f32; MOST_SLOTS],
-    z: [f32; MOST_SLOTS],
+    x: [f32; ROOM],
+    z: [f32; ROOM],
     /// Across component of the facet's normal; the upward one follows.
-    normal_x: [f32; MOST_SLOTS],
+    normal_x: [f32; ROOM],
     /// The part that the viewer sees, from and to, in 65535ths.
-    seen: [[u16; 2]; MOST_SLOTS],
+    seen_from: [u16; ROOM],
+    seen_to: [u16; ROOM],
     /// How much that part weighs in the pixel.
-    weight: [f32; MOST_SLOTS],
+    weight: [f32; ROOM],
     /// Which of `finishes` the facet has.
-    finish: [u8; MOST_SLOTS],
+    finish: [u8; ROOM],
     finishes: [Finish; MOST_FINISHES],
     /// How much of all light each finish reflects; known once it is asked for.
     albedos: [Vec3; MOST_FINISHES],
@@ -45,30 +50,37 @@ pub(crate) struct Zones {
     pub densities: Densities,
 }
 
-/// A facet of a scratch, or the flat surface: what of the pixel it is.
+/// A facet of a scratch, or the flat surface: what of the pixel it is. Or several facets of one finish side by side.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Zone {
-    /// Number of the facet in its scratch; none for the flat surface.
+pub(crate) struct Zone<F = f32> {
+    /// Number of the (first) facet in its scratch; none for the flat surface.
     pub facet: Option<usize>,
-    /// In the frame (across, along, up) of its scratch.
-    pub normal: Vec3,
+    /// Across and upward components of the normal, in the frame (across, along, up) of its scratch.
+    pub normal: [F; 2],
     /// Number of its finish.
     pub finish: u8,
     /// The share of the pixel that the viewer sees it in.
-    pub seen: f32,
+    pub seen: F,
     /// The share in which it is seen and lit.
-    pub lit: f32,
+    pub lit: F,
 }
 
 impl Zone {
-    /// The flat surface, seen and lit in this share of the pixel.
-    pub(crate) fn flat(share: f32) -> Self {
+    pub(crate) fn normal(&self) -> Vec3 {
+        Vec3::new(self.normal[0], 0.0, self.normal[1])
+    }
+}
+
+impl<F: Number> Zone<F> {
+    /// The flat surface, seen and lit in these shares of the pixel.
+    pub(crate) fn flat<L: Lanes<F = F>>(lanes: L, seen: f32, lit: f32) -> Self {
+        let first = |share: f32| lanes.made(|i| if i == 0 { share } else { 0.0 });
         Self {
             facet: None,
-            normal: Vec3::Z,
+            normal: [lanes.all(0.0), lanes.all(1.0)],
             finish: 0,
-            seen: share,
-            lit: share,
+            seen: first(seen),
+            lit: first(lit),
         }
     }
 }
@@ -93,12 +105,13 @@ pub(crate) struct Relief {
 impl Zones {
     pub(crate) const fn empty() -> Self {
         Self {
-            x: [0.0; MOST_SLOTS],
-            z: [0.0; MOST_SLOTS],
-            normal_x: [0.0; MOST_SLOTS],
-            seen: [[0; 2]; MOST_SLOTS],
-            weight: [0.0; MOST_SLOTS],
-            finish: [0; MOST_SLOTS],
+            x: [0.0; ROOM],
+            z: [0.0; ROOM],
+            normal_x: [0.0; ROOM],
+            seen_from: [0; ROOM],
+            seen_to: [0; ROOM],
+            weight: [0.0; ROOM],
+            finish: [0; ROOM],
             finishes: [Finish::BLACK; MOST_FINISHES],
             albedos: [Vec3::ZERO; MOST_FINISHES],
             finish_count: 1,
@@ -159,8 +172,8 @@ impl Zones {
             x: view.truncate().dot(across),
             z: view.z,
         };
-        let seen = &mut self.seen[slots];
-        let horizon = sweep(xs, zs, v, |k, part| seen[k] = packed(part));
+        let mut parts = Parts::new();
+        let horizon = in_lanes!(lanes => parts.sweep(lanes, &self.x[first..], &self.z[first..], vertices - 1, v));
         let ends = [xs[0], xs[vertices - 1]];
         let seen_flat = v.flat_ends(horizon, ends);
         // A shadow may fall into the pixel from a scratch beside it.
@@ -178,120 +191,206 @@ impl Zones {
             seen_flat,
             weight,
         };
-        for k in first..first + vertices - 1 {
-            let run = Vec2::new(self.x[k + 1] - self.x[k], self.z[k + 1] - self.z[k]);
-            // Scaled up first: facets of nanometres would underflow when squared.
-            self.normal_x[k] = -(run * 1e6).normalize_or(Vec2::X).y;
-            self.weight[k] = self.part_weight(&relief, k, unpacked(self.seen[k]), v.x / v.z);
-            relief.shown += self.weight[k];
-        }
+        in_lanes!(lanes => self.weigh(lanes, &mut relief, &parts, v));
         self.used = self.used.max(first_slot + relief.vertices);
         Some(relief)
     }
 
-    /// How much a part of a facet weighs in the pixel: its projection along the view, under the filter.
-    fn part_weight(&self, relief: &Relief, k: usize, part: [f32; 2], view_slope: f32) -> f32 {
-        if part[0] >= part[1] {
-            return 0.0;
+    /// Finds the normals of a relief's facets, and how much of the pixel they are.
+    #[inline(always)]
+    fn weigh<L: Lanes>(&mut self, lanes: L, relief: &mut Relief, parts: &Parts, view: Across) {
+        let (first, facets) = (relief.first as usize, relief.facets());
+        for k in 0..facets {
+            let [from, to] = parts.of(k).map(packed);
+            (self.seen_from[first + k], self.seen_to[first + k]) = (from, to);
         }
-        let [from, to] = part.map(|share| {
-            let x = self.x[k] + share * (self.x[k + 1] - self.x[k]);
-            let z = self.z[k] + share * (self.z[k + 1] - self.z[k]);
+        for k in (0..facets).step_by(L::WIDTH) {
+            let slot = first + k;
+            // Scaled up first: facets of nanometres would underflow when squared.
+            let [x, z] = self.runs(lanes, slot).map(|run| run * 1e6);
+            let length = (x * x + z * z).sqrt();
+            let normal_x = length.if_above(length.like(0.0), -z / length, length.like(0.0));
+            let weight =
+                self.part_weight(lanes, relief, slot, self.seen(lanes, slot), view.x / view.z);
+            let weight = only(lanes, facets - k, weight);
+            relief.shown += weight.sum();
+            let own = L::WIDTH.min(facets - k);
+            let (mut normals, mut weights) = ([0.0; 8], [0.0; 8]);
+            lanes.store(normal_x, &mut normals);
+            lanes.store(weight, &mut weights);
+            self.normal_x[slot..slot + own].copy_from_slice(&normals[..own]);
+            self.weight[slot..slot + own].copy_from_slice(&weights[..own]);
+        }
+    }
+
+    /// From the left end of facets to their right ends, in x and z.
+    #[inline(always)]
+    fn runs<L: Lanes>(&self, lanes: L, slot: usize) -> [L::F; 2] {
+        [&self.x, &self.z].map(|v| lanes.load(&v[slot + 1..]) - lanes.load(&v[slot..]))
+    }
+
+    /// The parts of facets that the viewer sees.
+    #[inline(always)]
+    fn seen<L: Lanes>(&self, lanes: L, slot: usize) -> [L::F; 2] {
+        [&self.seen_from, &self.seen_to].map(|ends| {
+            let ends = &ends[slot..slot + L::WIDTH];
+            lanes.made(|i| unpacked(ends[i]))
+        })
+    }
+
+    /// How much parts of facets weigh in the pixel: their projection along the view, under the filter.
+    #[inline(always)]
+    fn part_weight<L: Lanes>(
+        &self,
+        lanes: L,
+        relief: &Relief,
+        slot: usize,
+        [from, to]: [L::F; 2],
+        view_slope: f32,
+    ) -> L::F {
+        let (x, z) = (lanes.load(&self.x[slot..]), lanes.load(&self.z[slot..]));
+        let [run_x, run_z] = self.runs(lanes, slot);
+        let [a, b] = [from, to].map(|share| {
+            let (x, z) = (x + share * run_x, z + share * run_z);
             x - z * view_slope
         });
-        self.densities.between(&relief.weight, from, to).max(0.0)
+        let none = lanes.all(0.0);
+        let weight = self.densities.between(&relief.weight, a, b).max(none);
+        to.if_above(from, weight, none)
     }
 
     /// Visits each zone of a relief that is seen, and returns the share of the pixel's flat surface that it takes from
     /// this light; `pair` is in the relief's frame.
-    pub(crate) fn each_of_relief(
+    #[inline(always)]
+    pub(crate) fn each_of_relief<L: Lanes>(
         &self,
+        lanes: L,
+        parts: &mut Parts,
         relief: &Relief,
         pair: &Pair,
-        mut visit: impl FnMut(&Zone),
+        mut visit: impl FnMut(&Zone<L::F>),
     ) -> f32 {
-        let slots = relief.slots();
-        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
+        let (first, facets) = (relief.first as usize, relief.facets());
         let light = Across::of(pair.light);
         let view_slope = pair.view.x / pair.view.z;
-        let horizon = sweep(xs, zs, light, |k, lit| {
-            let slot = relief.first as usize + k;
-            if self.weight[slot] == 0.0 {
-                return;
+        let (xs, zs) = (&self.x[first..], &self.z[first..]);
+        let horizon = parts.sweep(lanes, xs, zs, facets, light);
+        for k in (0..facets).step_by(L::WIDTH) {
+            let slot = first + k;
+            let weight = only(lanes, facets - k, lanes.load(&self.weight[slot..]));
+            if !weight.any() {
+                continue;
             }
-            let seen = unpacked(self.seen[slot]);
-            let both = overlap(seen, lit);
-            let weight = if both == seen {
-                self.weight[slot]
-            } else {
-                self.part_weight(relief, slot, both, view_slope)
-            };
-            visit(&Zone {
-                facet: Some(k),
-                normal: self.normal(slot),
-                finish: self.finish[slot],
-                seen: relief.gain * self.weight[slot],
-                lit: relief.gain * weight,
-            });
-        });
+            let [from, to] = parts.load(lanes, k);
+            let (none, width) = (lanes.all(0.0), to - from);
+            let mut lit = (width - 1.0).if_above(lanes.all(-f32::MIN_POSITIVE), weight, none);
+            let some = weight.if_above(none, width.if_above(none, -width + 1.0, none), none);
+            if some.any() {
+                let [seen_from, seen_to] = self.seen(lanes, slot);
+                let both = [from.max(seen_from), to.min(seen_to)];
+                let part = self.part_weight(lanes, relief, slot, both, view_slope);
+                lit = some.if_above(none, part, lit);
+            }
+            let shares = [weight * relief.gain, lit * relief.gain];
+            self.by_finish(lanes, slot, k, facets - k, shares, &mut visit);
+        }
         let lit_flat = light.flat_ends(horizon, relief.seen_flat);
         relief.gain * self.densities.taken(&relief.weight, lit_flat)
     }
 
+    /// Visits facets of which `shares` are seen and lit, those of one finish at a time: of `left` at most, from number
+    /// `facet` on, which has this slot.
+    #[inline(always)]
+    fn by_finish<L: Lanes>(
+        &self,
+        lanes: L,
+        slot: usize,
+        facet: usize,
+        left: usize,
+        [seen, lit]: [L::F; 2],
+        visit: &mut impl FnMut(&Zone<L::F>),
+    ) {
+        let numbers = &self.finish[slot..slot + L::WIDTH.min(left)];
+        let alike = numbers.iter().all(|number| *number == numbers[0]);
+        let x = lanes.load(&self.normal_x[slot..]);
+        let normal = [x, (-(x * x) + 1.0).max(lanes.all(0.0)).sqrt()];
+        let kinds = if alike { 1 } else { numbers.len() };
+        for (i, &finish) in numbers[..kinds].iter().enumerate() {
+            if numbers[..i].contains(&finish) {
+                continue;
+            }
+            let own = |shares: L::F| {
+                if alike {
+                    return shares;
+                }
+                let other = |i: usize| numbers.get(i).is_none_or(|number| *number != finish);
+                shares.each(|i, share| if other(i) { 0.0 } else { share })
+            };
+            visit(&Zone {
+                facet: Some(facet),
+                normal,
+                finish,
+                seen: own(seen),
+                lit: own(lit),
+            });
+        }
+    }
+
     /// Visits each zone of a relief that is seen from a direction in the relief's frame, whoever the viewer is.
     pub(crate) fn each_seen_from(&self, relief: &Relief, from: Vec3, mut visit: impl FnMut(&Zone)) {
-        let slots = relief.slots();
-        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
-        sweep(xs, zs, Across::of(from), |k, part| {
-            let slot = relief.first as usize + k;
+        let (first, facets) = (relief.first as usize, relief.facets());
+        let mut parts = Parts::new();
+        let (xs, zs) = (&self.x[first..], &self.z[first..]);
+        parts.sweep(One, xs, zs, facets, Across::of(from));
+        for k in 0..facets {
             // Rounded as what the viewer sees is.
-            let weight = self.part_weight(relief, slot, unpacked(packed(part)), from.x / from.z);
+            let part = parts.of(k).map(|end| unpacked(packed(end)));
+            let weight = self.part_weight(One, relief, first + k, part, from.x / from.z);
             if weight > 0.0 {
                 let share = relief.gain * weight;
-                visit(&Zone {
-                    facet: Some(k),
-                    normal: self.normal(slot),
-                    finish: self.finish[slot],
-                    seen: share,
-                    lit: share,
-                });
+                self.by_finish(One, first + k, k, 1, [share; 2], &mut visit);
             }
-        });
+        }
     }
 
     /// As [`Self::each_of_relief`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.
-    pub(crate) fn each_of_flock(
+    #[inline(always)]
+    pub(crate) fn each_of_flock<L: Lanes>(
         &self,
+        lanes: L,
+        [seen, lit]: &mut [Parts; 2],
         flock: &Flock,
         pair: &Pair,
-        mut visit: impl FnMut(&Zone),
+        mut visit: impl FnMut(&Zone<L::F>),
     ) -> f32 {
-        let (xs, zs) = self.class(flock.slots);
+        let [first, count] = flock.slots.map(|slot| slot as usize);
+        let facets = count.saturating_sub(1);
+        let (xs, zs) = (&self.x[first..], &self.z[first..]);
         let [view, light] = [pair.view, pair.light].map(Across::of);
         let view_slope = pair.view.x / pair.view.z;
-        let width = |k: usize| (xs[k + 1] - xs[k] - (zs[k + 1] - zs[k]) * view_slope).max(0.0);
-        let mut seen = [[0.0; 2]; MOST_CLASS_VERTICES];
-        let mut shown = 0.0;
-        let horizon = sweep(xs, zs, view, |k, part| {
-            seen[k] = part;
-            shown += (part[1] - part[0]) * width(k);
-        });
+        let none = lanes.all(0.0);
+        let widths = |k: usize, part: [L::F; 2]| {
+            let [run_x, run_z] = self.runs(lanes, first + k);
+            let width = (part[1] - part[0]).max(none) * (run_x - run_z * view_slope).max(none);
+            only(lanes, facets - k, width)
+        };
+        let horizon = seen.sweep(lanes, xs, zs, facets, view);
         let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
-        let horizon = sweep(xs, zs, light, |k, lit| {
-            let [from, to] = seen[k];
-            if from >= to {
-                return;
+        let mut shown = none;
+        for k in (0..facets).step_by(L::WIDTH) {
+            shown = shown + widths(k, seen.load(lanes, k));
+        }
+        let shown = flock.shown / shown.sum().max(f32::MIN_POSITIVE);
+        let horizon = lit.sweep(lanes, xs, zs, facets, light);
+        for k in (0..facets).step_by(L::WIDTH) {
+            let [seen, lit] = [seen.load(lanes, k), lit.load(lanes, k)];
+            let both = [seen[0].max(lit[0]), seen[1].min(lit[1])];
+            let seen = widths(k, seen);
+            if seen.any() {
+                let shares = [seen * shown, widths(k, both) * flock.share];
+                self.by_finish(lanes, first + k, k, facets - k, shares, &mut visit);
             }
-            let both = overlap(seen[k], lit);
-            let slot = flock.slots[0] as usize + k;
-            visit(&Zone {
-                facet: Some(k),
-                normal: self.normal(slot),
-                finish: self.finish[slot],
-                seen: flock.shown * (to - from) * width(k) / shown.max(f32::MIN_POSITIVE),
-                lit: flock.share * (both[1] - both[0]).max(0.0) * width(k),
-            });
-        });
+        }
         let [from, to] = light.flat_ends(horizon, seen_flat);
         flock.share * (to - from)
     }
@@ -338,7 +437,7 @@ impl Zones {
             let z = self.z[k] + share * (self.z[k + 1] - self.z[k]);
             x - z * view_slope
         };
-        let [from, to] = unpacked(self.seen[k]);
+        let [from, to] = [self.seen_from[k], self.seen_to[k]].map(unpacked);
         let at = self
             .densities
             .place(&relief.weight, [shown(from), shown(to)], u);
@@ -362,7 +461,7 @@ impl Zones {
     pub(crate) fn shadow_of_relief(&self, relief: &Relief, pair: &Pair) -> ([f32; 2], f32) {
         let slots = relief.slots();
         let light = Across::of(pair.light);
-        let horizon = sweep(&self.x[slots.clone()], &self.z[slots], light, |_, _| {});
+        let horizon = horizon(&self.x[slots.clone()], &self.z[slots], light);
         let shadow = beside(relief.seen_flat, light.flat_ends(horizon, relief.seen_flat));
         (
             shadow,
@@ -374,7 +473,7 @@ impl Zones {
     pub(crate) fn shadow_of_flock(&self, flock: &Flock, pair: &Pair) -> ([f32; 2], f32) {
         let (xs, zs) = self.class(flock.slots);
         let [view, light] = [pair.view, pair.light].map(Across::of);
-        let ends = |w: Across, ends| w.flat_ends(sweep(xs, zs, w, |_, _| {}), ends);
+        let ends = |w: Across, ends| w.flat_ends(horizon(xs, zs, w), ends);
         let seen = ends(view, [-0.5, 0.5]);
         let shadow = beside(seen, ends(light, seen));
         (shadow, flock.share * (shadow[1] - shadow[0]))
@@ -418,15 +517,8 @@ impl Zones {
             x: view.truncate().dot(across),
             z: view.z,
         };
-        let horizon = sweep(xs, zs, view, |_, _| {});
-        let [from, to] = view.flat_ends(horizon, [-0.5, 0.5]);
+        let [from, to] = view.flat_ends(horizon(xs, zs, view), [-0.5, 0.5]);
         to - from
-    }
-
-    /// A facet's normal, in the frame of its scratch.
-    fn normal(&self, slot: usize) -> Vec3 {
-        let x = self.normal_x[slot];
-        Vec3::new(x, 0.0, (1.0 - x * x).max(0.0).sqrt())
     }
 
     /// x and z of a class.
@@ -450,12 +542,25 @@ fn beside(inner: [f32; 2], wider: [f32; 2]) -> [f32; 2] {
     clippy::cast_sign_loss,
     reason = "the cast saturates"
 )]
-fn packed(part: Part) -> [u16; 2] {
-    part.map(|share| (share * 65535.0 + 0.5) as u16)
+fn packed(share: f32) -> u16 {
+    (share * 65535.0 + 0.5) as u16
 }
 
-fn unpacked(part: [u16; 2]) -> Part {
-    part.map(|share| f32::from(share) / 65535.0)
+#[inline(always)]
+fn unpacked(share: u16) -> f32 {
+    f32::from(share) / 65535.0
+}
+
+/// The first `count` numbers, and 0 in place of the others.
+#[inline(always)]
+fn only<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+    if count >= L::WIDTH {
+        return numbers;
+    }
+    let place = lanes.made(|i| i as f32);
+    lanes
+        .all(count as f32)
+        .if_above(place, numbers, lanes.all(0.0))
 }
 
 impl Relief {
@@ -468,6 +573,11 @@ impl Relief {
         seen_flat: [0.0; 2],
         weight: Weight::NONE,
     };
+
+    /// How many facets it has.
+    pub(crate) fn facets(&self) -> usize {
+        (self.vertices as usize).saturating_sub(1)
+    }
 
     /// Where its values are kept.
     pub(crate) fn slots(&self) -> Range<usize> {

@@ -4,7 +4,9 @@ use super::eval::rest;
 use super::flocks::Flock;
 use super::relief::Zone;
 use super::shading::Shading;
+use super::visibility::Parts;
 use crate::brdf::{ACROSS_SURFACE, Pair};
+use crate::lanes::{Lanes, Number, One};
 use glam::{Vec2, Vec3};
 
 impl Shading {
@@ -17,15 +19,14 @@ impl Shading {
         let back = Directions::new(pair.light, pair.view);
         let (mut density, mut seen) = (0.0, 0.0);
         self.each_scratch_zone_from(pair.light, &back.above, |zone, turned, across| {
-            density += zone.seen * self.density(zone, turned, &back, across);
+            density += self.density(One, zone, turned, &back, across);
             seen += zone.seen;
         });
-        let flat = Zone::flat(rest(seen.min(1.0)));
-        if flat.seen > 0.0 {
-            let turned = back.above.turned(ACROSS_SURFACE);
-            density += flat.seen * self.density(&flat, &turned, &back, ACROSS_SURFACE);
-            seen += flat.seen;
-        }
+        let left = rest(seen.min(1.0));
+        let turned = back.above.turned(ACROSS_SURFACE);
+        let flat = Zone::flat(One, left, left);
+        density += self.density(One, &flat, &turned, &back, ACROSS_SURFACE);
+        seen += left;
         let pdf = if seen > 0.0 { density / seen } else { 0.0 };
         if pdf.is_finite() { pdf } else { 0.0 }
     }
@@ -45,6 +46,7 @@ impl Shading {
             self.zones
                 .each_seen_from(&whole, turned.view, |zone| visit(zone, &turned, across));
         }
+        let mut parts = [const { Parts::new() }; 2];
         let (mut shares, mut crowd) = (0.0, 0.0);
         for flock in self.flocks.iter() {
             shares += flock.share;
@@ -60,22 +62,32 @@ impl Shading {
                 ..flock
             };
             self.zones
-                .each_of_flock(&whole, &turned, |zone| visit(zone, &turned, across));
+                .each_of_flock(One, &mut parts, &whole, &turned, |zone| {
+                    visit(zone, &turned, across);
+                });
         }
     }
 
-    /// With what density a zone's samples go up to the pair's light, whether they go there or are turned up from below the
-    /// surface. `turned` is the pair in the frame of the zone's scratch.
-    pub(super) fn density(
+    /// With what density the samples of zones go up to the pair's light, whether they go there or are turned up from below
+    /// the surface: each as often as it is seen. `turned` is the pair in the frame of the zones' scratch.
+    #[inline(always)]
+    pub(super) fn density<L: Lanes>(
         &self,
-        zone: &Zone,
+        lanes: L,
+        zone: &Zone<L::F>,
         turned: &Pair,
         pair: &Directions,
         across: Vec2,
     ) -> f32 {
+        let none = lanes.all(0.0);
+        if !zone.seen.any() {
+            return 0.0;
+        }
+        let [x, z] = zone.normal;
         let finish = self.zones.finish_of(zone.finish);
         let below = pair.below.turned(across);
-        finish.pdf_all(zone.normal, turned) + finish.pdf_all(zone.normal, &below)
+        let [above, below] = [turned, &below].map(|pair| finish.pdfs(lanes, &pair.tilted(x, z)));
+        (zone.seen.if_above(none, zone.seen * (above + below), none)).sum()
     }
 }
 

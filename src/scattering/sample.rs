@@ -5,7 +5,9 @@ use super::flocks::Flock;
 use super::relief::{MOST_FINISHES, Relief, Zone};
 use super::reverse::Directions;
 use super::shading::{LEAST_COS, Shading};
+use super::visibility::Parts;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
+use crate::lanes::{Lanes, Number, One, in_lanes};
 use glam::{Vec2, Vec3};
 
 /// A light chosen for a view.
@@ -91,19 +93,11 @@ impl Shading {
         let Some(pair) = self.pair(light) else {
             return Evaluated::default();
         };
-        let directions = Directions::new(pair.view, pair.light);
-        let mut lobes = [0.0; MOST_FINISHES];
-        let (mut density, mut seen) = (0.0, 0.0);
-        self.each_zone(&pair, |zone, turned, across| {
-            if zone.lit > 0.0 {
-                let finish = self.zones.finish_of(zone.finish);
-                lobes[zone.finish as usize] += zone.lit * finish.lobe_cos(zone.normal, turned);
-            }
-            if zone.seen > 0.0 {
-                density += zone.seen * self.density(zone, turned, &directions, across);
-                seen += zone.seen;
-            }
-        });
+        let Sums {
+            lobes,
+            density,
+            seen,
+        } = in_lanes!(lanes => self.sums(lanes, &pair));
         let mut brdf_cos = self.zones.colour(&lobes, &pair);
         if self.has_all_bounces() {
             brdf_cos += self.indirect(&pair);
@@ -114,6 +108,24 @@ impl Shading {
         Evaluated { brdf_cos, pdf }
     }
 
+    /// What the lobes of each finish add up to, and the densities of all zones.
+    #[inline(always)]
+    fn sums<L: Lanes>(&self, lanes: L, pair: &Pair) -> Sums {
+        let directions = Directions::new(pair.view, pair.light);
+        let mut sums = Sums::default();
+        self.each_zone(
+            lanes,
+            pair,
+            #[inline(always)]
+            |zone, turned, across| {
+                sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, turned);
+                sums.density += self.density(lanes, zone, turned, &directions, across);
+                sums.seen += zone.seen.sum();
+            },
+        );
+        sums
+    }
+
     /// The zone in which the share `u` of all that is seen falls.
     fn chosen(&self, u: f32) -> Chosen {
         let reliefs = self.reliefs().iter();
@@ -122,12 +134,15 @@ impl Shading {
         let mut left = u * (scratched + self.flocks.seen() + flat);
         // No light matters here.
         let pair = Pair::new(self.view, self.view);
+        let mut parts = [const { Parts::new() }; 2];
         for relief in reliefs {
             if left < relief.coverage() {
                 let mut picked = Picked::new(left, relief.across, Held::Relief(*relief));
                 let turned = pair.turned(relief.across);
                 self.zones
-                    .each_of_relief(relief, &turned, |zone| picked.pass(zone));
+                    .each_of_relief(One, &mut parts[0], relief, &turned, |zone| {
+                        picked.pass(zone)
+                    });
                 return picked.chosen;
             }
             left -= relief.coverage();
@@ -137,13 +152,21 @@ impl Shading {
                 let mut picked = Picked::new(left, flock.across, Held::Flock(flock));
                 let turned = pair.turned(flock.across);
                 self.zones
-                    .each_of_flock(&flock, &turned, |zone| picked.pass(zone));
+                    .each_of_flock(One, &mut parts, &flock, &turned, |zone| picked.pass(zone));
                 return picked.chosen;
             }
             left -= flock.shown;
         }
         Chosen::FLAT
     }
+}
+
+/// What is added up over all zones.
+#[derive(Default)]
+struct Sums {
+    lobes: [f32; MOST_FINISHES],
+    density: f32,
+    seen: f32,
 }
 
 /// Goes through the zones of a scratch up to the one in which a share falls.
@@ -165,7 +188,7 @@ impl Picked {
     fn pass(&mut self, zone: &Zone) {
         if self.left >= 0.0 && zone.seen > 0.0 {
             self.chosen.finish = zone.finish;
-            self.chosen.normal = zone.normal;
+            self.chosen.normal = zone.normal();
             self.chosen.facet = zone.facet.unwrap_or(0);
         }
         self.left -= zone.seen;

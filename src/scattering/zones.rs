@@ -2,6 +2,7 @@
 
 use super::shading::Shading;
 use crate::brdf::{Brdf, Pair};
+use crate::lanes::One;
 use glam::Vec2;
 
 /// A facet of a scratch, or the flat surface, as a point shows it. Directions are unit vectors in the local frame.
@@ -33,14 +34,14 @@ impl Shading {
         let lit = if pair.is_some() { 1.0 } else { 0.0 };
         let mut count = 0;
         let still = Pair::new(self.view, self.view);
-        self.each_zone(&pair.unwrap_or(still), |zone, _, across| {
+        self.each_zone(One, &pair.unwrap_or(still), |zone, _, across| {
             if zone.facet.is_some() && zone.seen <= 0.0 {
                 return;
             }
             if let Some(room) = zones.get_mut(count) {
                 let along = Vec2::new(-across.y, across.x);
                 *room = SeenZone {
-                    normal: (across * zone.normal.x).extend(zone.normal.z).to_array(),
+                    normal: (across * zone.normal[0]).extend(zone.normal[1]).to_array(),
                     tangent: along.extend(0.0).to_array(),
                     seen: zone.seen,
                     lit: lit * zone.lit.max(0.0),

@@ -1,0 +1,262 @@
+//! Numbers side by side: what is done to zones and lights is written once, for one number or for a register of eight.
+//!
+//! Which of the two runs is decided at run time, by what the processor has. Both do the same operations in the same order
+//! for each number, so that they agree to rounding of sums.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::sync::atomic::{AtomicBool, Ordering};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, f32x8};
+
+/// Whether registers of eight may be used at all.
+static ALLOWED: AtomicBool = AtomicBool::new(true);
+
+/// Numbers in a register.
+const EIGHT: usize = 8;
+
+/// Lets all threads use SIMD instructions where the processor has them (so it is at the start), or keeps them from it: to
+/// measure and compare. Results agree within 1e-5.
+pub fn set_simd(allowed: bool) {
+    ALLOWED.store(allowed, Ordering::Relaxed);
+}
+
+/// What the processor has, unless it may not be used. Detected once; the first call may take microseconds.
+pub(crate) fn level() -> Option<Level> {
+    ALLOWED.load(Ordering::Relaxed).then(Level::new)
+}
+
+/// One number, or eight of them.
+pub(crate) trait Number:
+    Copy
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f32, Output = Self>
+    + Sub<f32, Output = Self>
+    + Mul<f32, Output = Self>
+    + Div<f32, Output = Self>
+{
+    /// The same number in each place.
+    fn like(self, value: f32) -> Self;
+    fn sqrt(self) -> Self;
+    fn min(self, other: Self) -> Self;
+    fn max(self, other: Self) -> Self;
+    /// `then` where it is above `least`, else `otherwise`.
+    fn if_above(self, least: Self, then: Self, otherwise: Self) -> Self;
+    /// Whether any is above 0.
+    fn any(self) -> bool;
+    /// Each by itself, with its number.
+    fn each(self, of: impl FnMut(usize, f32) -> f32) -> Self;
+    fn sum(self) -> f32;
+}
+
+impl Number for f32 {
+    #[inline(always)]
+    fn like(self, value: f32) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn if_above(self, least: Self, then: Self, otherwise: Self) -> Self {
+        if self > least { then } else { otherwise }
+    }
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        self > 0.0
+    }
+
+    #[inline(always)]
+    fn each(self, mut of: impl FnMut(usize, f32) -> f32) -> Self {
+        of(0, self)
+    }
+
+    #[inline(always)]
+    fn sum(self) -> f32 {
+        self
+    }
+}
+
+impl<S: Simd> Number for f32x8<S> {
+    #[inline(always)]
+    fn like(self, value: f32) -> Self {
+        Self::splat(self.token(), value)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        SimdFloat::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        SimdBase::min(self, other)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        SimdBase::max(self, other)
+    }
+
+    #[inline(always)]
+    fn if_above(self, least: Self, then: Self, otherwise: Self) -> Self {
+        self.simd_gt(least).select(then, otherwise)
+    }
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.simd_gt(0.0).any_true()
+    }
+
+    #[inline(always)]
+    fn each(self, mut of: impl FnMut(usize, f32) -> f32) -> Self {
+        Self::from_fn(self.token(), |i| of(i, self[i]))
+    }
+
+    #[inline(always)]
+    fn sum(self) -> f32 {
+        let [a, b, c, d, e, f, g, h] = self.to_array();
+        ((a + b) + (c + d)) + ((e + f) + (g + h))
+    }
+}
+
+/// How many numbers are looked at together, and how they are made.
+pub(crate) trait Lanes: Copy {
+    type F: Number;
+    const WIDTH: usize;
+
+    /// The same number in each place.
+    fn all(self, value: f32) -> Self::F;
+    /// [`Self::WIDTH`] numbers from the first of `values` on.
+    fn load(self, values: &[f32]) -> Self::F;
+    /// Writes [`Self::WIDTH`] of them.
+    fn store(self, numbers: Self::F, values: &mut [f32]);
+    fn made(self, of: impl FnMut(usize) -> f32) -> Self::F;
+    /// Runs what is too long to be written into its callers.
+    fn call<R>(self, work: impl FnOnce() -> R) -> R;
+}
+
+/// One by one.
+#[derive(Clone, Copy)]
+pub(crate) struct One;
+
+/// Eight at a time.
+#[derive(Clone, Copy)]
+pub(crate) struct Eight<S>(pub S);
+
+impl Lanes for One {
+    type F = f32;
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn all(self, value: f32) -> f32 {
+        value
+    }
+
+    #[inline(always)]
+    fn load(self, values: &[f32]) -> f32 {
+        values[0]
+    }
+
+    #[inline(always)]
+    fn store(self, numbers: f32, values: &mut [f32]) {
+        values[0] = numbers;
+    }
+
+    #[inline(always)]
+    fn made(self, mut of: impl FnMut(usize) -> f32) -> f32 {
+        of(0)
+    }
+
+    #[inline(always)]
+    fn call<R>(self, work: impl FnOnce() -> R) -> R {
+        work()
+    }
+}
+
+impl<S: Simd> Lanes for Eight<S> {
+    type F = f32x8<S>;
+    const WIDTH: usize = EIGHT;
+
+    #[inline(always)]
+    fn all(self, value: f32) -> Self::F {
+        f32x8::splat(self.0, value)
+    }
+
+    #[inline(always)]
+    fn load(self, values: &[f32]) -> Self::F {
+        f32x8::from_slice(self.0, &values[..EIGHT])
+    }
+
+    #[inline(always)]
+    fn store(self, numbers: Self::F, values: &mut [f32]) {
+        numbers.store_slice(&mut values[..EIGHT]);
+    }
+
+    #[inline(always)]
+    fn made(self, of: impl FnMut(usize) -> f32) -> Self::F {
+        f32x8::from_fn(self.0, of)
+    }
+
+    #[inline(always)]
+    fn call<R>(self, work: impl FnOnce() -> R) -> R {
+        self.0.vectorize(work)
+    }
+}
+
+/// Does `work` with as many lanes as the processor has; it is compiled once for each.
+macro_rules! in_lanes {
+    ($lanes:ident => $work:expr) => {{
+        let level = $crate::lanes::level();
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        let simd = level.and_then(|level| level.as_avx2());
+        #[cfg(target_arch = "aarch64")]
+        let simd = level.and_then(|level| level.as_neon());
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
+        let simd = level.and_then(|_| None::<fearless_simd::Fallback>);
+        if let Some(simd) = simd {
+            let $lanes = $crate::lanes::Eight(simd);
+            fearless_simd::Simd::vectorize(
+                simd,
+                #[inline(always)]
+                || $work,
+            )
+        } else {
+            let $lanes = $crate::lanes::One;
+            $work
+        }
+    }};
+}
+pub(crate) use in_lanes;
+
+/// Three numbers, or eight times three.
+#[derive(Clone, Copy)]
+pub(crate) struct Vector<F> {
+    pub x: F,
+    pub y: F,
+    pub z: F,
+}
+
+impl<F: Number> Vector<F> {
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Self) -> F {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+}
