@@ -129,11 +129,17 @@ impl Finish {
 
     /// What all zones of this finish share for a pair of directions.
     pub(crate) fn shared(&self, pair: &Pair) -> Vec3 {
+        Vec3::from(self.colour(pair.view_half))
+    }
+
+    /// The same by the cosine between view and half vector, per channel.
+    #[inline(always)]
+    pub(crate) fn colour<F: Number>(&self, view_half: F) -> [F; 3] {
         let (rgb, k) = (self.rgb, self.k);
         match self.colour {
-            SCHLICK => Fresnel::Schlick { f0: rgb }.reflectance(pair.view_half),
-            CONDUCTOR => Fresnel::Conductor { eta: rgb, k }.reflectance(pair.view_half),
-            _ => Vec3::from(rgb),
+            SCHLICK => Fresnel::Schlick { f0: rgb }.reflectance(view_half),
+            CONDUCTOR => Fresnel::Conductor { eta: rgb, k }.reflectance(view_half),
+            _ => rgb.map(|channel| view_half.like(channel)),
         }
     }
 

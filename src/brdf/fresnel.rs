@@ -2,7 +2,7 @@
 
 use super::Metal;
 use crate::error::{Result, rgb_in_range};
-use glam::Vec3;
+use crate::lanes::Number;
 
 /// How much a microfacet reflects, per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,35 +41,37 @@ impl Fresnel {
         Ok(self)
     }
 
-    /// Reflectance at an angle whose cosine is `cos` (0 to 1).
-    pub(crate) fn reflectance(&self, cos: f32) -> Vec3 {
+    /// Reflectance at an angle whose cosine is `cos` (0 to 1), per channel.
+    #[inline(always)]
+    pub(crate) fn reflectance<F: Number>(&self, cos: F) -> [F; 3] {
         match *self {
             Self::Schlick { f0 } => {
-                let f0 = Vec3::from(f0);
-                let m = 1.0 - cos;
+                let m = -cos + 1.0;
                 let m2 = m * m;
-                f0 + (Vec3::ONE - f0) * (m2 * m2 * m)
+                let m5 = m2 * m2 * m;
+                f0.map(|f0| m5 * (1.0 - f0) + f0)
             }
-            Self::Conductor { eta, k } => conductor(cos, Vec3::from(eta), Vec3::from(k)),
+            Self::Conductor { eta, k } => [0, 1, 2].map(|i| conductor(cos, eta[i], k[i])),
         }
     }
 }
 
-/// The unpolarised Fresnel equations of a conductor in air, all channels at once.
-fn conductor(cos: f32, eta: Vec3, k: Vec3) -> Vec3 {
+/// The unpolarised Fresnel equations of a conductor in air.
+#[inline(always)]
+fn conductor<F: Number>(cos: F, eta: f32, k: f32) -> F {
     let cos2 = cos * cos;
-    let sin2 = 1.0 - cos2;
+    let sin2 = -cos2 + 1.0;
     let (eta2, k2) = (eta * eta, k * k);
-    let t0 = eta2 - k2 - Vec3::splat(sin2);
-    let a2_b2 = (t0 * t0 + 4.0 * eta2 * k2).map(f32::sqrt);
-    let t1 = a2_b2 + Vec3::splat(cos2);
-    let a = (0.5 * (a2_b2 + t0)).max(Vec3::ZERO).map(f32::sqrt);
-    let t2 = 2.0 * cos * a;
+    let t0 = -sin2 + (eta2 - k2);
+    let a2_b2 = (t0 * t0 + 4.0 * eta2 * k2).sqrt();
+    let t1 = a2_b2 + cos2;
+    let a = ((a2_b2 + t0) * 0.5).max(cos.like(0.0)).sqrt();
+    let t2 = cos * a * 2.0;
     let s = (t1 - t2) / (t1 + t2);
-    let t3 = cos2 * a2_b2 + Vec3::splat(sin2 * sin2);
+    let t3 = cos2 * a2_b2 + sin2 * sin2;
     let t4 = t2 * sin2;
     let p = s * (t3 - t4) / (t3 + t4);
-    0.5 * (s + p)
+    (s + p) * 0.5
 }
 
 #[cfg(test)]
@@ -79,14 +81,14 @@ mod tests {
     /// At normal incidence ((eta-1)² + k²) / ((eta+1)² + k²); at grazing incidence 1.
     #[test]
     fn conductor_limits() {
-        let (eta, k) = (Vec3::splat(2.5), Vec3::splat(3.4));
+        let (eta, k) = (2.5, 3.4);
         let normal = (1.5_f32.powi(2) + 3.4_f32.powi(2)) / (3.5_f32.powi(2) + 3.4_f32.powi(2));
         assert!(
-            (conductor(1.0, eta, k).x - normal).abs() < 1e-6,
+            (conductor(1.0_f32, eta, k) - normal).abs() < 1e-6,
             "normal incidence"
         );
         assert!(
-            (conductor(0.0, eta, k).x - 1.0).abs() < 1e-5,
+            (conductor(0.0_f32, eta, k) - 1.0).abs() < 1e-5,
             "grazing incidence"
         );
     }

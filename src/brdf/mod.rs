@@ -12,6 +12,7 @@ mod ggx;
 mod lambert;
 mod metal;
 mod oren_nayar;
+mod pair;
 mod phong;
 
 pub use facet::Facet;
@@ -19,10 +20,10 @@ pub(crate) use finish::Finish;
 pub use finish::Lobe;
 pub use fresnel::Fresnel;
 pub use metal::Metal;
+pub(crate) use pair::{Local, Pair, Pairs};
 
 use crate::error::{Result, in_range, rgb_in_range};
-use crate::lanes::{Number, Vector};
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
 /// The flat surface's axis across its polishing lines, which run along the local frame's x.
 pub(crate) const ACROSS_SURFACE: Vec2 = Vec2::NEG_Y;
@@ -76,69 +77,6 @@ pub enum Brdf {
         /// Reflectance of a microfacet.
         fresnel: Fresnel,
     },
-}
-
-/// A direction of view and one of light, and what every zone's base BRDF needs of the pair.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pair {
-    pub view: Vec3,
-    pub light: Vec3,
-    /// The unit half vector.
-    pub half: Vec3,
-    /// view · half
-    pub view_half: f32,
-}
-
-/// A pair as one zone sees it, or eight do: in the zone's own frame (across, along, normal).
-#[derive(Clone, Copy)]
-pub(crate) struct Local<F> {
-    pub view: Vector<F>,
-    pub light: Vector<F>,
-    pub half: Vector<F>,
-    pub view_half: f32,
-}
-
-impl Pair {
-    pub(crate) fn new(view: Vec3, light: Vec3) -> Self {
-        let sum = view + light;
-        // Opposite directions (their sum 0) have no half vector; they are never both above a zone.
-        let length = sum.length();
-        Self {
-            view,
-            light,
-            half: sum / length.max(1e-6),
-            // Half their sum's length: the same whichever is which, also once both are rounded.
-            view_half: (0.5 * length).min(1.0),
-        }
-    }
-
-    /// The same pair in the frames of zones whose normals are (x, 0, z).
-    #[inline(always)]
-    pub(crate) fn tilted<F: Number>(&self, x: F, z: F) -> Local<F> {
-        let onto_zone = |w: Vec3| Vector {
-            x: z * w.x - x * w.z,
-            y: x.like(w.y),
-            z: x * w.x + z * w.z,
-        };
-        Local {
-            view: onto_zone(self.view),
-            light: onto_zone(self.light),
-            half: onto_zone(self.half),
-            view_half: self.view_half,
-        }
-    }
-
-    /// The same pair in the frame (across, along, up) of a scratch.
-    pub(crate) fn turned(&self, across: Vec2) -> Self {
-        let along = Vec2::new(-across.y, across.x);
-        let turn = |w: Vec3| Vec3::new(w.truncate().dot(across), w.truncate().dot(along), w.z);
-        Self {
-            view: turn(self.view),
-            light: turn(self.light),
-            half: turn(self.half),
-            view_half: self.view_half,
-        }
-    }
 }
 
 impl Brdf {
@@ -212,6 +150,7 @@ fn width_in_range(argument: &'static str, alpha: f32) -> Result<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
 
     /// Facets a step apart add up to one highlight: seen and lit from above, it is even to within 1 %.
     #[test]

@@ -2,10 +2,10 @@
 
 use super::eval::{finite, rest};
 use super::exchange::{Exchange, FLATS};
-use super::relief::Zone;
 use super::sample::{Chosen, Held, Sample, turned_back, upwards};
 use super::shading::Shading;
 use super::visibility::{Across, Parts};
+use super::visit::Zone;
 use super::walk::{Ground, Left, Numbers, Place};
 use crate::brdf::{ACROSS_SURFACE, Pair};
 use crate::lanes::One;

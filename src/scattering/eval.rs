@@ -1,15 +1,16 @@
 //! What a prepared point reflects of one light, zone by zone.
 
-use super::relief::{MOST_FINISHES, Zone};
+use super::relief::MOST_FINISHES;
 use super::shading::{LEAST_COS, Shading, direction};
 use super::visibility::Parts;
+use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Pair};
 use crate::lanes::{Lanes, Number, in_lanes};
 use glam::{Vec2, Vec3};
 
 /// Weights that should add up to 1 do so within this; less flat surface than that is none, or it would shine
 /// through a pixel that lies within a scratch.
-const ROUNDING: f32 = 1e-6;
+pub(super) const ROUNDING: f32 = 1e-6;
 
 /// What [`Shading::eval`] gives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -178,9 +178,11 @@ impl Densities {
     }
 
     /// The weight of the flat surface that the scratch takes from the pixel between x = `from` and `to`.
-    pub(crate) fn taken(&self, weight: &Weight, [from, to]: [f32; 2]) -> f32 {
-        let inside = |x: f32| x.max(weight.window[0]).min(weight.window[1]);
-        self.between(weight, inside(from), inside(to))
+    #[inline(always)]
+    pub(crate) fn taken<F: Number>(&self, weight: &Weight, ends: [F; 2]) -> F {
+        let [first, last] = weight.window;
+        let [from, to] = ends.map(|x| x.max(x.like(first)).min(x.like(last)));
+        self.between(weight, from, to)
     }
 
     /// Where between two places the share `u` of the weight between them is reached.

@@ -1,7 +1,7 @@
 //! What a prepared point looks like to renderers that want a few numbers: one lobe in place of many.
 
-use super::relief::Zone;
 use super::shading::Shading;
+use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
 use crate::lanes::One;
 use glam::{Vec2, Vec3};

@@ -2,9 +2,9 @@
 
 use super::eval::rest;
 use super::flocks::Flock;
-use super::relief::Zone;
 use super::shading::Shading;
 use super::visibility::Parts;
+use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Pair};
 use crate::lanes::{Lanes, Number, One};
 use glam::{Vec2, Vec3};

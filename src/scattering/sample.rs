@@ -2,10 +2,11 @@
 
 use super::eval::{finite, rest};
 use super::flocks::Flock;
-use super::relief::{MOST_FINISHES, Relief, Zone};
+use super::relief::{MOST_FINISHES, Relief};
 use super::reverse::Directions;
 use super::shading::{LEAST_COS, Shading};
 use super::visibility::Parts;
+use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
 use crate::lanes::{Lanes, Number, One, in_lanes};
 use glam::{Vec2, Vec3};

@@ -1,0 +1,137 @@
+//! View and light together: what every base BRDF looks at.
+
+use crate::lanes::{Number, Vector};
+use glam::{Vec2, Vec3};
+
+/// A direction of view and one of light, and what every zone's base BRDF needs of the pair.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    pub view: Vec3,
+    pub light: Vec3,
+    /// The unit half vector.
+    pub half: Vec3,
+    /// view · half
+    pub view_half: f32,
+}
+
+/// A pair as one zone sees it, or eight do: in the zone's own frame (across, along, normal).
+#[derive(Clone, Copy)]
+pub(crate) struct Local<F> {
+    pub view: Vector<F>,
+    pub light: Vector<F>,
+    pub half: Vector<F>,
+    pub view_half: F,
+}
+
+impl Pair {
+    pub(crate) fn new(view: Vec3, light: Vec3) -> Self {
+        let sum = view + light;
+        // Opposite directions (their sum 0) have no half vector; they are never both above a zone.
+        let length = sum.length();
+        Self {
+            view,
+            light,
+            half: sum / length.max(1e-6),
+            // Half their sum's length: the same whichever is which, also once both are rounded.
+            view_half: (0.5 * length).min(1.0),
+        }
+    }
+
+    /// The same pair in the frames of zones whose normals are (x, 0, z).
+    #[inline(always)]
+    pub(crate) fn tilted<F: Number>(&self, x: F, z: F) -> Local<F> {
+        let onto_zone = |w: Vec3| Vector {
+            x: z * w.x - x * w.z,
+            y: x.like(w.y),
+            z: x * w.x + z * w.z,
+        };
+        Local {
+            view: onto_zone(self.view),
+            light: onto_zone(self.light),
+            half: onto_zone(self.half),
+            view_half: x.like(self.view_half),
+        }
+    }
+
+    /// The same pair in the frame (across, along, up) of a scratch.
+    pub(crate) fn turned(&self, across: Vec2) -> Self {
+        let along = Vec2::new(-across.y, across.x);
+        let turn = |w: Vec3| Vec3::new(w.truncate().dot(across), w.truncate().dot(along), w.z);
+        Self {
+            view: turn(self.view),
+            light: turn(self.light),
+            half: turn(self.half),
+            view_half: self.view_half,
+        }
+    }
+}
+
+/// One view and several lights.
+#[derive(Clone, Copy)]
+pub(crate) struct Pairs<F> {
+    pub view: Vec3,
+    pub light: Vector<F>,
+    half: Vector<F>,
+    pub view_half: F,
+}
+
+impl<F: Number> Pairs<F> {
+    #[inline(always)]
+    pub(crate) fn new(view: Vec3, light: Vector<F>) -> Self {
+        let sum = Vector {
+            x: light.x + view.x,
+            y: light.y + view.y,
+            z: light.z + view.z,
+        };
+        let length = sum.dot(sum).sqrt();
+        let over = length.max(length.like(1e-6));
+        Self {
+            view,
+            light,
+            half: Vector {
+                x: sum.x / over,
+                y: sum.y / over,
+                z: sum.z / over,
+            },
+            view_half: (length * 0.5).min(length.like(1.0)),
+        }
+    }
+
+    /// The same pairs in the frame (across, along, up) of a scratch.
+    #[inline(always)]
+    pub(crate) fn turned(&self, across: Vec2) -> Self {
+        let turn = |w: Vector<F>| Vector {
+            x: w.x * across.x + w.y * across.y,
+            y: w.y * across.x - w.x * across.y,
+            z: w.z,
+        };
+        let view = self.view.truncate();
+        Self {
+            view: Vec3::new(view.dot(across), across.perp_dot(view), self.view.z),
+            light: turn(self.light),
+            half: turn(self.half),
+            view_half: self.view_half,
+        }
+    }
+
+    /// The same pairs in the frame of a zone whose normal is (x, 0, z).
+    #[inline(always)]
+    pub(crate) fn tilted(&self, [x, z]: [f32; 2]) -> Local<F> {
+        let onto_zone = |w: Vector<F>| Vector {
+            x: w.x * z - w.z * x,
+            y: w.y,
+            z: w.x * x + w.z * z,
+        };
+        let view = Vector {
+            x: self.view_half.like(self.view.x),
+            y: self.view_half.like(self.view.y),
+            z: self.view_half.like(self.view.z),
+        };
+        Local {
+            view: onto_zone(view),
+            light: onto_zone(self.light),
+            half: onto_zone(self.half),
+            view_half: self.view_half,
+        }
+    }
+}

@@ -1,0 +1,491 @@
+//! Many lights of one point: eight at a time, where one light alone has its zones eight at a time.
+//!
+//! The same equations as in `eval.rs` and `sample.rs`, with numbers for zones and registers for lights.
+
+use super::eval::{Output, ROUNDING, finite, rest};
+use super::flocks::Flock;
+use super::relief::{MOST_FINISHES, Relief, Zones, unpacked};
+use super::shading::Shading;
+use super::visibility::{Across, Parts};
+use crate::brdf::{ACROSS_SURFACE, Pair, Pairs};
+use crate::error::{Error, Result};
+use crate::lanes::{Lanes, Number, One, Vector, in_lanes};
+use glam::Vec3;
+
+/// Lights that are looked at together.
+const MOST: usize = 8;
+
+/// Vectors as a structure of arrays: x, y and z of one after another, `stride` numbers apart.
+#[derive(Clone, Copy, Debug)]
+pub struct Vectors<'a> {
+    /// First components.
+    pub x: &'a [f32],
+    /// Second ones.
+    pub y: &'a [f32],
+    /// Third ones.
+    pub z: &'a [f32],
+    /// From one vector to the next: 1 where nothing lies between them.
+    pub stride: usize,
+}
+
+/// [`Vectors`] that are written.
+#[derive(Debug)]
+pub struct VectorsMut<'a> {
+    /// First components.
+    pub x: &'a mut [f32],
+    /// Second ones.
+    pub y: &'a mut [f32],
+    /// Third ones.
+    pub z: &'a mut [f32],
+    /// From one vector to the next: 1 where nothing lies between them.
+    pub stride: usize,
+}
+
+impl Vectors<'_> {
+    fn get(&self, i: usize) -> [f32; 3] {
+        let at = i * self.stride;
+        [self.x[at], self.y[at], self.z[at]]
+    }
+}
+
+impl VectorsMut<'_> {
+    pub(super) fn set(&mut self, i: usize, [x, y, z]: [f32; 3]) {
+        let at = i * self.stride;
+        (self.x[at], self.y[at], self.z[at]) = (x, y, z);
+    }
+}
+
+/// Whether arrays of these lengths hold `count` vectors.
+pub(super) fn check(
+    argument: &'static str,
+    lengths: [usize; 3],
+    stride: usize,
+    count: usize,
+) -> Result<()> {
+    if stride == 0 {
+        return Err(Error::count(argument, stride, "a stride of 1 or more"));
+    }
+    let held = |length: usize| length.div_ceil(stride);
+    match lengths.into_iter().find(|length| held(*length) < count) {
+        Some(short) => Err(Error::count(argument, held(short), "as many as lights")),
+        None => Ok(()),
+    }
+}
+
+/// What is added up over all zones, for each light.
+struct Sums<F> {
+    lobes: [F; MOST_FINISHES],
+    /// What of the flat surface scratches take from the light.
+    taken: F,
+    /// How often zones' samples go to the light, where that is asked for.
+    density: F,
+    /// How much of all is seen.
+    seen: f32,
+}
+
+impl Shading {
+    /// [`Self::eval`] for the first `count` of `lights`, and [`Self::pdf`] where `pdfs` are asked for: at a fraction of the
+    /// price, and the same within 1e-5. Fails, with nothing written, where an array is shorter than `count` asks for.
+    pub fn eval_many(
+        &self,
+        lights: &Vectors<'_>,
+        count: usize,
+        output: Output,
+        f: &mut VectorsMut<'_>,
+        pdfs: Option<&mut [f32]>,
+    ) -> Result<()> {
+        let lengths = [lights.x.len(), lights.y.len(), lights.z.len()];
+        check("lights", lengths, lights.stride, count)?;
+        check("f", [f.x.len(), f.y.len(), f.z.len()], f.stride, count)?;
+        let mut pdfs = pdfs;
+        if let Some(pdfs) = &pdfs {
+            check("pdfs", [pdfs.len(); 3], 1, count)?;
+        }
+        for first in (0..count).step_by(MOST) {
+            let own = MOST.min(count - first);
+            // What is no light is looked at like one from straight above, and not told of.
+            let mut group = [Vec3::Z; MOST];
+            let mut usable = [false; MOST];
+            for i in 0..own {
+                if let Some(pair) = self.pair(lights.get(first + i)) {
+                    (group[i], usable[i]) = (pair.light, true);
+                }
+            }
+            let (found, densities) = self.reflected_many(&group, pdfs.is_some());
+            for i in 0..own {
+                let share = match output {
+                    Output::BrdfCos => 1.0,
+                    Output::Brdf => 1.0 / group[i].z,
+                };
+                let reflected = if usable[i] {
+                    found[i] * share
+                } else {
+                    Vec3::ZERO
+                };
+                f.set(first + i, reflected.to_array());
+                if let Some(pdfs) = &mut pdfs {
+                    pdfs[first + i] = if usable[i] { densities[i] } else { 0.0 };
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// BRDF times cosine and density for lights above the surface.
+    pub(super) fn reflected_many(
+        &self,
+        lights: &[Vec3; MOST],
+        with_pdf: bool,
+    ) -> ([Vec3; MOST], [f32; MOST]) {
+        let (mut found, mut densities) = ([Vec3::ZERO; MOST], [0.0; MOST]);
+        if self.is_seen() {
+            in_lanes!(lanes => {
+                self.reflected_groups(lanes, lights, with_pdf, &mut found, &mut densities);
+            });
+        }
+        if self.has_all_bounces() {
+            for (rgb, light) in found.iter_mut().zip(lights) {
+                *rgb = finite(*rgb + self.indirect(&Pair::new(self.view, *light)));
+            }
+        }
+        (found, densities)
+    }
+
+    /// The same by as many as there are lanes.
+    #[inline(always)]
+    fn reflected_groups<L: Lanes>(
+        &self,
+        lanes: L,
+        lights: &[Vec3; MOST],
+        with_pdf: bool,
+        found: &mut [Vec3; MOST],
+        densities: &mut [f32; MOST],
+    ) {
+        for first in (0..MOST).step_by(L::WIDTH) {
+            let (rgb, pdf) = (&mut found[first..], &mut densities[first..]);
+            self.reflected_group(lanes, &lights[first..], with_pdf, rgb, pdf);
+        }
+    }
+
+    #[inline(always)]
+    fn reflected_group<L: Lanes>(
+        &self,
+        lanes: L,
+        lights: &[Vec3],
+        with_pdf: bool,
+        found: &mut [Vec3],
+        densities: &mut [f32],
+    ) {
+        let light = Vector {
+            x: lanes.made(|i| lights[i].x),
+            y: lanes.made(|i| lights[i].y),
+            z: lanes.made(|i| lights[i].z),
+        };
+        let pairs = Pairs::new(self.view, light);
+        let below = Pairs::new(
+            self.view,
+            Vector {
+                z: -light.z,
+                ..light
+            },
+        );
+        let directions = with_pdf.then_some(&below);
+        let none = lanes.all(0.0);
+        let mut sums = Sums {
+            lobes: [none; MOST_FINISHES],
+            taken: none,
+            density: none,
+            seen: 0.0,
+        };
+        for relief in self.reliefs() {
+            self.add_relief(lanes, relief, &pairs, directions, &mut sums);
+        }
+        for flock in self.flocks.iter() {
+            self.add_flock(lanes, &flock, &pairs, directions, &mut sums);
+        }
+        let left = lanes
+            .all(1.0 - ROUNDING)
+            .if_above(sums.taken, -sums.taken + 1.0, none);
+        let surface = Facet {
+            normal: [0.0, 1.0],
+            finish: 0,
+            seen: rest(self.coverage()),
+        };
+        let turned = pairs.turned(ACROSS_SURFACE);
+        self.add_facet(lanes, &surface, left, &turned, &mut sums);
+        let below = directions.map(|below| below.turned(ACROSS_SURFACE));
+        self.add_density(lanes, &surface, &turned, below.as_ref(), &mut sums);
+        let mut rgb = [none; 3];
+        for (finish, lobe) in self.zones.finishes().iter().zip(sums.lobes) {
+            if lobe.any() {
+                let colour = finish.colour(pairs.view_half);
+                rgb = [0, 1, 2].map(|i| rgb[i] + colour[i] * lobe);
+            }
+        }
+        for (i, channel) in rgb.into_iter().enumerate() {
+            channel.each(|lane, value| {
+                found[lane][i] = value;
+                value
+            });
+        }
+        for rgb in &mut found[..L::WIDTH] {
+            *rgb = finite(*rgb);
+        }
+        let seen = sums.seen;
+        sums.density.each(|lane, density| {
+            let pdf = if seen > 0.0 { density / seen } else { 0.0 };
+            densities[lane] = if pdf.is_finite() { pdf } else { 0.0 };
+            density
+        });
+    }
+
+    #[inline(always)]
+    fn add_relief<L: Lanes>(
+        &self,
+        lanes: L,
+        relief: &Relief,
+        pairs: &Pairs<L::F>,
+        below: Option<&Pairs<L::F>>,
+        sums: &mut Sums<L::F>,
+    ) {
+        let zones = &self.zones;
+        let pairs = pairs.turned(relief.across);
+        let below = below.map(|below| below.turned(relief.across));
+        let (first, facets) = (relief.first as usize, relief.facets());
+        for slot in first..first + facets {
+            let facet = zones.facet(slot, relief.gain * zones.weight[slot]);
+            self.add_density(lanes, &facet, &pairs, below.as_ref(), sums);
+        }
+        for mut sweep in sides(lanes, &pairs.light) {
+            for k in sweep.order(facets) {
+                let slot = first + k;
+                let part = sweep.pass(zones.corners(slot));
+                if zones.weight[slot] > 0.0 {
+                    let lit = self.lit_weight(lanes, relief, slot, part, &pairs);
+                    let facet = zones.facet(slot, 0.0);
+                    self.add_facet(lanes, &facet, lit * sweep.own * relief.gain, &pairs, sums);
+                }
+            }
+            let taken = zones
+                .densities
+                .taken(&relief.weight, sweep.flat_ends(relief.seen_flat));
+            sums.taken = sums.taken + taken * sweep.own * relief.gain;
+        }
+    }
+
+    /// How much of the pixel the part of a facet is that is seen and lit.
+    #[inline(always)]
+    fn lit_weight<L: Lanes>(
+        &self,
+        lanes: L,
+        relief: &Relief,
+        slot: usize,
+        [from, to]: [L::F; 2],
+        pairs: &Pairs<L::F>,
+    ) -> L::F {
+        let (zones, none) = (&self.zones, lanes.all(0.0));
+        let width = to - from;
+        let hidden = (-width + 1.0).if_above(none, none, lanes.all(zones.weight[slot]));
+        let some = width.if_above(none, -width + 1.0, none);
+        if !some.any() {
+            return hidden;
+        }
+        let [[x, z], [next_x, next_z]] = zones.corners(slot);
+        let (run_x, run_z) = (next_x - x, next_z - z);
+        let view_slope = pairs.view.x / pairs.view.z;
+        let from = from.max(lanes.all(unpacked(zones.seen_from[slot])));
+        let to = to.min(lanes.all(unpacked(zones.seen_to[slot])));
+        let [a, b] = [from, to].map(|share| {
+            let (x, z) = (share * run_x + x, share * run_z + z);
+            x - z * view_slope
+        });
+        let part = zones.densities.between(&relief.weight, a, b).max(none);
+        some.if_above(none, to.if_above(from, part, none), hidden)
+    }
+
+    #[inline(always)]
+    fn add_flock<L: Lanes>(
+        &self,
+        lanes: L,
+        flock: &Flock,
+        pairs: &Pairs<L::F>,
+        below: Option<&Pairs<L::F>>,
+        sums: &mut Sums<L::F>,
+    ) {
+        let zones = &self.zones;
+        let pairs = pairs.turned(flock.across);
+        let below = below.map(|below| below.turned(flock.across));
+        let [first, count] = flock.slots.map(|slot| slot as usize);
+        let facets = count.saturating_sub(1);
+        let view = Across::of(pairs.view);
+        let view_slope = view.x / view.z;
+        let mut seen = Parts::new();
+        let horizon = seen.sweep(One, &zones.x[first..], &zones.z[first..], facets, view);
+        let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
+        let width = |k: usize| {
+            let [[x, z], [next_x, next_z]] = zones.corners(first + k);
+            (next_x - x - (next_z - z) * view_slope).max(0.0)
+        };
+        let shown = |k: usize| {
+            let [from, to] = seen.of(k);
+            (to - from).max(0.0) * width(k)
+        };
+        let all: f32 = (0..facets).map(shown).sum();
+        let share = flock.shown / all.max(f32::MIN_POSITIVE);
+        for k in 0..facets {
+            let facet = zones.facet(first + k, share * shown(k));
+            self.add_density(lanes, &facet, &pairs, below.as_ref(), sums);
+        }
+        for mut sweep in sides(lanes, &pairs.light) {
+            for k in sweep.order(facets) {
+                let [from, to] = sweep.pass(zones.corners(first + k));
+                if shown(k) > 0.0 {
+                    let [seen_from, seen_to] = seen.of(k).map(|end| lanes.all(end));
+                    let both = to.min(seen_to) - from.max(seen_from);
+                    let lit = both.max(lanes.all(0.0)) * (width(k) * flock.share);
+                    let facet = zones.facet(first + k, 0.0);
+                    self.add_facet(lanes, &facet, lit * sweep.own, &pairs, sums);
+                }
+            }
+            let [from, to] = sweep.flat_ends(seen_flat);
+            sums.taken = sums.taken + (to - from) * sweep.own * flock.share;
+        }
+    }
+
+    /// Adds what a facet reflects, lit in these shares of the pixel.
+    #[inline(always)]
+    fn add_facet<L: Lanes>(
+        &self,
+        lanes: L,
+        facet: &Facet,
+        lit: L::F,
+        pairs: &Pairs<L::F>,
+        sums: &mut Sums<L::F>,
+    ) {
+        if lit.any() {
+            let finish = self.zones.finish_of(facet.finish);
+            let lobe = finish.lobes_cos(lanes, &pairs.tilted(facet.normal));
+            let none = lanes.all(0.0);
+            let sum = &mut sums.lobes[facet.finish as usize];
+            *sum = *sum + lit.if_above(none, lit * lobe, none);
+        }
+    }
+
+    /// Adds how often a facet's samples go to the lights, where that is asked for.
+    #[inline(always)]
+    fn add_density<L: Lanes>(
+        &self,
+        lanes: L,
+        facet: &Facet,
+        pairs: &Pairs<L::F>,
+        below: Option<&Pairs<L::F>>,
+        sums: &mut Sums<L::F>,
+    ) {
+        let Some(below) = below.filter(|_| facet.seen > 0.0) else {
+            return;
+        };
+        let finish = self.zones.finish_of(facet.finish);
+        let above = finish.pdfs(lanes, &pairs.tilted(facet.normal));
+        let below = finish.pdfs(lanes, &below.tilted(facet.normal));
+        sums.density = sums.density + (above + below) * facet.seen;
+        sums.seen += facet.seen;
+    }
+}
+
+/// A facet of one finish, and how much of it is seen.
+struct Facet {
+    normal: [f32; 2],
+    finish: u8,
+    seen: f32,
+}
+
+impl Zones {
+    fn facet(&self, slot: usize, seen: f32) -> Facet {
+        let x = self.normal_x[slot];
+        Facet {
+            normal: [x, (1.0 - x * x).max(0.0).sqrt()],
+            finish: self.finish[slot],
+            seen,
+        }
+    }
+
+    /// x and z of a facet's two ends.
+    fn corners(&self, slot: usize) -> [[f32; 2]; 2] {
+        [slot, slot + 1].map(|slot| [self.x[slot], self.z[slot]])
+    }
+}
+
+/// A pass over a cross-section for lights that come from one side, as [`Parts::sweep`] does for one light.
+struct Sweep<F> {
+    leftwards: bool,
+    /// 1 for lights that come from this side.
+    own: F,
+    light: [F; 2],
+    horizon: F,
+}
+
+/// The passes that these lights need: seldom both.
+#[inline(always)]
+fn sides<L: Lanes>(lanes: L, light: &Vector<L::F>) -> impl Iterator<Item = Sweep<L::F>> {
+    let (none, one) = (lanes.all(0.0), lanes.all(1.0));
+    let (x, z) = (light.x, light.z);
+    [true, false].into_iter().filter_map(move |leftwards| {
+        let from_left = none.if_above(x, one, none);
+        let own = if leftwards {
+            -from_left + 1.0
+        } else {
+            from_left
+        };
+        let horizon = if leftwards {
+            f32::INFINITY
+        } else {
+            f32::NEG_INFINITY
+        };
+        own.any().then(|| Sweep {
+            leftwards,
+            own,
+            light: [x, z],
+            horizon: lanes.all(horizon),
+        })
+    })
+}
+
+impl<F: Number> Sweep<F> {
+    /// The facets, from the side that the lights come from.
+    fn order(&self, facets: usize) -> impl Iterator<Item = usize> + use<F> {
+        let leftwards = self.leftwards;
+        (0..facets).map(move |k| if leftwards { facets - 1 - k } else { k })
+    }
+
+    /// Goes on by a facet, and returns its part that is lit.
+    #[inline(always)]
+    fn pass(&mut self, corners: [[f32; 2]; 2]) -> [F; 2] {
+        let [x, z] = self.light;
+        let [a, b] = corners.map(|corner| z * corner[0] - x * corner[1]);
+        let (left, right) = (x.like(0.0), x.like(1.0));
+        let rise = b - a;
+        if self.leftwards {
+            self.horizon = self.horizon.min(b);
+            let share = ((self.horizon - a) / rise).max(left).min(right);
+            self.horizon = self.horizon.min(a);
+            [left, rise.if_above(left, share, left)]
+        } else {
+            self.horizon = self.horizon.max(a);
+            let share = ((self.horizon - a) / rise).max(left).min(right);
+            self.horizon = self.horizon.max(b);
+            [rise.if_above(left, share, right), right]
+        }
+    }
+
+    /// What of the flat surface lies in front of every vertex, once all are passed.
+    #[inline(always)]
+    fn flat_ends(&self, ends: [f32; 2]) -> [F; 2] {
+        let at = self.horizon / self.light[1];
+        let [left, right] = ends.map(|end| at.like(end));
+        if self.leftwards {
+            [at.min(left), right]
+        } else {
+            [left, at.max(right)]
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! The zones of a prepared point, one by one or eight at a time, as one light falls on them.
+
+use super::flocks::Flock;
+use super::relief::{Relief, Zones, packed, unpacked};
+use super::visibility::{Across, Parts};
+use crate::brdf::Pair;
+use crate::lanes::{Lanes, Number, One};
+use glam::Vec3;
+
+/// A facet of a scratch, or the flat surface: what of the pixel it is. Or several facets of one finish side by side.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Zone<F = f32> {
+    /// Number of the (first) facet in its scratch; none for the flat surface.
+    pub facet: Option<usize>,
+    /// Across and upward components of the normal, in the frame (across, along, up) of its scratch.
+    pub normal: [F; 2],
+    /// Number of its finish.
+    pub finish: u8,
+    /// The share of the pixel that the viewer sees it in.
+    pub seen: F,
+    /// The share in which it is seen and lit.
+    pub lit: F,
+}
+
+impl Zone {
+    pub(crate) fn normal(&self) -> Vec3 {
+        Vec3::new(self.normal[0], 0.0, self.normal[1])
+    }
+}
+
+impl<F: Number> Zone<F> {
+    /// The flat surface, seen and lit in these shares of the pixel.
+    pub(crate) fn flat<L: Lanes<F = F>>(lanes: L, seen: f32, lit: f32) -> Self {
+        let first = |share: f32| lanes.made(|i| if i == 0 { share } else { 0.0 });
+        Self {
+            facet: None,
+            normal: [lanes.all(0.0), lanes.all(1.0)],
+            finish: 0,
+            seen: first(seen),
+            lit: first(lit),
+        }
+    }
+}
+
+impl Zones {
+    /// Visits each zone of a relief that is seen, and returns the share of the pixel's flat surface that it takes from
+    /// this light; `pair` is in the relief's frame.
+    #[inline(always)]
+    pub(crate) fn each_of_relief<L: Lanes>(
+        &self,
+        lanes: L,
+        parts: &mut Parts,
+        relief: &Relief,
+        pair: &Pair,
+        mut visit: impl FnMut(&Zone<L::F>),
+    ) -> f32 {
+        let (first, facets) = (relief.first as usize, relief.facets());
+        let light = Across::of(pair.light);
+        let view_slope = pair.view.x / pair.view.z;
+        let (xs, zs) = (&self.x[first..], &self.z[first..]);
+        let horizon = parts.sweep(lanes, xs, zs, facets, light);
+        for k in (0..facets).step_by(L::WIDTH) {
+            let slot = first + k;
+            let weight = first_of(lanes, facets - k, lanes.load(&self.weight[slot..]));
+            if !weight.any() {
+                continue;
+            }
+            let [from, to] = parts.load(lanes, k);
+            let (none, width) = (lanes.all(0.0), to - from);
+            let mut lit = (width - 1.0).if_above(lanes.all(-f32::MIN_POSITIVE), weight, none);
+            let some = weight.if_above(none, width.if_above(none, -width + 1.0, none), none);
+            if some.any() {
+                let [seen_from, seen_to] = self.seen(lanes, slot);
+                let both = [from.max(seen_from), to.min(seen_to)];
+                let part = self.part_weight(lanes, relief, slot, both, view_slope);
+                lit = some.if_above(none, part, lit);
+            }
+            let shares = [weight * relief.gain, lit * relief.gain];
+            self.by_finish(lanes, slot, k, facets - k, shares, &mut visit);
+        }
+        let lit_flat = light.flat_ends(horizon, relief.seen_flat);
+        relief.gain * self.densities.taken(&relief.weight, lit_flat)
+    }
+
+    /// Visits facets of which `shares` are seen and lit, those of one finish at a time: of `left` at most, from number
+    /// `facet` on, which has this slot.
+    #[inline(always)]
+    fn by_finish<L: Lanes>(
+        &self,
+        lanes: L,
+        slot: usize,
+        facet: usize,
+        left: usize,
+        [seen, lit]: [L::F; 2],
+        visit: &mut impl FnMut(&Zone<L::F>),
+    ) {
+        let numbers = &self.finish[slot..slot + L::WIDTH.min(left)];
+        let alike = numbers.iter().all(|number| *number == numbers[0]);
+        let x = lanes.load(&self.normal_x[slot..]);
+        let normal = [x, (-(x * x) + 1.0).max(lanes.all(0.0)).sqrt()];
+        let kinds = if alike { 1 } else { numbers.len() };
+        for (i, &finish) in numbers[..kinds].iter().enumerate() {
+            if numbers[..i].contains(&finish) {
+                continue;
+            }
+            let own = |shares: L::F| {
+                if alike {
+                    return shares;
+                }
+                let other = |i: usize| numbers.get(i).is_none_or(|number| *number != finish);
+                shares.each(|i, share| if other(i) { 0.0 } else { share })
+            };
+            visit(&Zone {
+                facet: Some(facet),
+                normal,
+                finish,
+                seen: own(seen),
+                lit: own(lit),
+            });
+        }
+    }
+
+    /// Visits each zone of a relief that is seen from a direction in the relief's frame, whoever the viewer is.
+    pub(crate) fn each_seen_from(&self, relief: &Relief, from: Vec3, mut visit: impl FnMut(&Zone)) {
+        let (first, facets) = (relief.first as usize, relief.facets());
+        let mut parts = Parts::new();
+        let (xs, zs) = (&self.x[first..], &self.z[first..]);
+        parts.sweep(One, xs, zs, facets, Across::of(from));
+        for k in 0..facets {
+            // Rounded as what the viewer sees is.
+            let part = parts.of(k).map(|end| unpacked(packed(end)));
+            let weight = self.part_weight(One, relief, first + k, part, from.x / from.z);
+            if weight > 0.0 {
+                let share = relief.gain * weight;
+                self.by_finish(One, first + k, k, 1, [share; 2], &mut visit);
+            }
+        }
+    }
+
+    /// As [`Self::each_of_relief`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.
+    #[inline(always)]
+    pub(crate) fn each_of_flock<L: Lanes>(
+        &self,
+        lanes: L,
+        [seen, lit]: &mut [Parts; 2],
+        flock: &Flock,
+        pair: &Pair,
+        mut visit: impl FnMut(&Zone<L::F>),
+    ) -> f32 {
+        let [first, count] = flock.slots.map(|slot| slot as usize);
+        let facets = count.saturating_sub(1);
+        let (xs, zs) = (&self.x[first..], &self.z[first..]);
+        let [view, light] = [pair.view, pair.light].map(Across::of);
+        let view_slope = pair.view.x / pair.view.z;
+        let none = lanes.all(0.0);
+        let widths = |k: usize, part: [L::F; 2]| {
+            let [run_x, run_z] = self.runs(lanes, first + k);
+            let width = (part[1] - part[0]).max(none) * (run_x - run_z * view_slope).max(none);
+            first_of(lanes, facets - k, width)
+        };
+        let horizon = seen.sweep(lanes, xs, zs, facets, view);
+        let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
+        let mut shown = none;
+        for k in (0..facets).step_by(L::WIDTH) {
+            shown = shown + widths(k, seen.load(lanes, k));
+        }
+        let shown = flock.shown / shown.sum().max(f32::MIN_POSITIVE);
+        let horizon = lit.sweep(lanes, xs, zs, facets, light);
+        for k in (0..facets).step_by(L::WIDTH) {
+            let [seen, lit] = [seen.load(lanes, k), lit.load(lanes, k)];
+            let both = [seen[0].max(lit[0]), seen[1].min(lit[1])];
+            let seen = widths(k, seen);
+            if seen.any() {
+                let shares = [seen * shown, widths(k, both) * flock.share];
+                self.by_finish(lanes, first + k, k, facets - k, shares, &mut visit);
+            }
+        }
+        let [from, to] = light.flat_ends(horizon, seen_flat);
+        flock.share * (to - from)
+    }
+}
+
+/// The first `count` numbers, and 0 in place of the others.
+#[inline(always)]
+pub(super) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+    if count >= L::WIDTH {
+        return numbers;
+    }
+    let place = lanes.made(|i| i as f32);
+    lanes
+        .all(count as f32)
+        .if_above(place, numbers, lanes.all(0.0))
+}
