@@ -13,7 +13,7 @@ use crate::lanes::{Lanes, Number, One, Vector, in_lanes};
 use glam::Vec3;
 
 /// Lights that are looked at together.
-const MOST: usize = 8;
+pub(super) const MOST: usize = 8;
 
 /// Vectors as a structure of arrays: x, y and z of one after another, `stride` numbers apart.
 #[derive(Clone, Copy, Debug)]
@@ -42,32 +42,36 @@ pub struct VectorsMut<'a> {
 }
 
 impl Vectors<'_> {
-    fn get(&self, i: usize) -> [f32; 3] {
+    pub(super) fn get(&self, i: usize) -> [f32; 3] {
         let at = i * self.stride;
         [self.x[at], self.y[at], self.z[at]]
+    }
+
+    /// Fails unless it holds `count` vectors.
+    pub(super) fn check(&self, argument: &'static str, count: usize) -> Result<()> {
+        let lengths = [self.x.len(), self.y.len(), self.z.len()];
+        check(argument, lengths, self.stride, count)
     }
 }
 
 impl VectorsMut<'_> {
-    pub(super) fn set(&mut self, i: usize, [x, y, z]: [f32; 3]) {
+    fn set(&mut self, i: usize, [x, y, z]: [f32; 3]) {
         let at = i * self.stride;
         (self.x[at], self.y[at], self.z[at]) = (x, y, z);
     }
 }
 
-/// Whether arrays of these lengths hold `count` vectors.
-pub(super) fn check(
-    argument: &'static str,
-    lengths: [usize; 3],
-    stride: usize,
-    count: usize,
-) -> Result<()> {
+fn check(argument: &'static str, lengths: [usize; 3], stride: usize, count: usize) -> Result<()> {
     if stride == 0 {
         return Err(Error::count(argument, stride, "a stride of 1 or more"));
     }
     let held = |length: usize| length.div_ceil(stride);
     match lengths.into_iter().find(|length| held(*length) < count) {
-        Some(short) => Err(Error::count(argument, held(short), "as many as lights")),
+        Some(short) => Err(Error::count(
+            argument,
+            held(short),
+            "as many as are asked for",
+        )),
         None => Ok(()),
     }
 }
@@ -94,8 +98,7 @@ impl Shading {
         f: &mut VectorsMut<'_>,
         pdfs: Option<&mut [f32]>,
     ) -> Result<()> {
-        let lengths = [lights.x.len(), lights.y.len(), lights.z.len()];
-        check("lights", lengths, lights.stride, count)?;
+        lights.check("lights", count)?;
         check("f", [f.x.len(), f.y.len(), f.z.len()], f.stride, count)?;
         let mut pdfs = pdfs;
         if let Some(pdfs) = &pdfs {

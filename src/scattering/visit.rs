@@ -120,6 +120,17 @@ impl Zones {
         }
     }
 
+    /// Visits each zone of a relief that the viewer sees, lit wherever it is seen.
+    pub(crate) fn each_seen(&self, relief: &Relief, mut visit: impl FnMut(&Zone)) {
+        let first = relief.first as usize;
+        for k in 0..relief.facets() {
+            let share = relief.gain * self.weight[first + k];
+            if share > 0.0 {
+                self.by_finish(One, first + k, k, 1, [share; 2], &mut visit);
+            }
+        }
+    }
+
     /// Visits each zone of a relief that is seen from a direction in the relief's frame, whoever the viewer is.
     pub(crate) fn each_seen_from(&self, relief: &Relief, from: Vec3, mut visit: impl FnMut(&Zone)) {
         let (first, facets) = (relief.first as usize, relief.facets());

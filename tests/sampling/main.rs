@@ -7,6 +7,7 @@ mod chi_square;
 mod distribution;
 mod energy;
 mod integrals;
+mod many;
 mod reverse;
 mod scenes;
 #[path = "../support/mod.rs"]
