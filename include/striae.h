@@ -1300,6 +1300,72 @@ typedef struct StriaeParameters {
   float normal[3];
 } StriaeParameters;
 
+/**
+ * Vectors that are read, as a structure of arrays. Of arrays of vectors: `{v[0], v[0] + 1, v[0] + 2, 3}` for `float v[][3]`.
+ */
+typedef struct StriaeVectors {
+  /**
+   * First components, one of each vector.
+   */
+  const float *x;
+  /**
+   * Second components.
+   */
+  const float *y;
+  /**
+   * Third components.
+   */
+  const float *z;
+  /**
+   * Floats from one vector's component to the next one's, 1 or more: 1 where they are packed.
+   */
+  size_t stride;
+} StriaeVectors;
+
+/**
+ * Vectors that are written, as StriaeVectors are read.
+ */
+typedef struct StriaeVectorsOut {
+  /**
+   * First components, one of each vector.
+   */
+  float *x;
+  /**
+   * Second components.
+   */
+  float *y;
+  /**
+   * Third components.
+   */
+  float *z;
+  /**
+   * Floats from one vector's component to the next one's, 1 or more: 1 where they are packed.
+   */
+  size_t stride;
+} StriaeVectorsOut;
+
+/**
+ * Samples that are written: what StriaeSample has, as a structure of arrays.
+ */
+typedef struct StriaeSamplesOut {
+  /**
+   * Unit directions to the lights.
+   */
+  struct StriaeVectorsOut light;
+  /**
+   * BRDF times cosine over `pdf`, linear RGB.
+   */
+  struct StriaeVectorsOut weight;
+  /**
+   * Densities per steradian, packed; 0 where no light was chosen.
+   */
+  float *pdf;
+  /**
+   * STRIAE_LOBE flags, packed; NULL if they are not wanted.
+   */
+  uint32_t *lobe;
+} StriaeSamplesOut;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -2072,6 +2138,86 @@ enum StriaeStatus striae_albedo(const struct StriaeShading *shading,
  */
 enum StriaeStatus striae_lobes(const struct StriaeShading *shading,
                                uint32_t *lobes);
+
+/**
+ * striae_shade() for many points. Never allocates, locks or blocks; any number of threads at once.
+ *
+ * All points are prepared, also those that are refused (as striae_shade() does): the status, and striae_last_error(), are
+ * those of the first refused one.
+ *
+ * @param pattern the pattern
+ * @param points the points
+ * @param point_stride bytes from one point to the next: sizeof(StriaePoint) where they are packed
+ * @param views directions to the viewer, in each point's local frame, of any length above 0
+ * @param count how many points
+ * @param shadings receives the results, packed; need not be initialised
+ */
+enum StriaeStatus striae_shade_many(const struct StriaePattern *pattern,
+                                    const struct StriaePoint *points,
+                                    size_t point_stride,
+                                    const struct StriaeVectors *views,
+                                    size_t count,
+                                    struct StriaeShading *shadings);
+
+/**
+ * striae_eval() for many lights: of one point several times as fast as one by one, and the same within 1e-5. Never allocates,
+ * locks or blocks; any number of threads at once.
+ *
+ * @param shadings points filled in by striae_shade() or striae_shade_many(), packed
+ * @param per_shading how many lights each point has, 1 or more, one point's after another's: `count` for one point and all
+ *     lights, 1 for a light of its own for each point
+ * @param lights directions to the lights, in the local frame, of any length above 0
+ * @param count how many lights in all
+ * @param flags 0 for BRDF times cosine, STRIAE_EVAL_BRDF_ONLY for the BRDF alone
+ * @param f receives linear RGB for each light; must not overlap the lights
+ */
+enum StriaeStatus striae_eval_many(const struct StriaeShading *shadings,
+                                   size_t per_shading,
+                                   const struct StriaeVectors *lights,
+                                   size_t count,
+                                   uint32_t flags,
+                                   const struct StriaeVectorsOut *f);
+
+/**
+ * striae_eval_pdf() for many lights, as striae_eval_many().
+ *
+ * @param shadings points filled in by striae_shade() or striae_shade_many(), packed
+ * @param per_shading how many lights each point has, 1 or more, one point's after another's
+ * @param lights directions to the lights, in the local frame, of any length above 0
+ * @param count how many lights in all
+ * @param f receives BRDF times cosine, linear RGB, for each light; must not overlap the lights
+ * @param pdf receives the density for each light, per steradian, packed
+ */
+enum StriaeStatus striae_eval_pdf_many(const struct StriaeShading *shadings,
+                                       size_t per_shading,
+                                       const struct StriaeVectors *lights,
+                                       size_t count,
+                                       const struct StriaeVectorsOut *f,
+                                       float *pdf);
+
+/**
+ * striae_sample() for many numbers: of one point several times as fast as one by one, and the same within 1e-5. Never
+ * allocates, locks or blocks; any number of threads at once.
+ *
+ * @param shadings points filled in by striae_shade() or striae_shade_many(), packed
+ * @param per_shading how many samples each point has, 1 or more, one point's after another's
+ * @param u three numbers from 0 up to (not including) 1 for each sample
+ * @param count how many samples in all
+ * @param samples receives them; must not overlap `u`
+ */
+enum StriaeStatus striae_sample_many(const struct StriaeShading *shadings,
+                                     size_t per_shading,
+                                     const struct StriaeVectors *u,
+                                     size_t count,
+                                     const struct StriaeSamplesOut *samples);
+
+/**
+ * Lets all threads use SIMD instructions where the processor has them (so it is at the start), or keeps them from it, to
+ * measure and to compare: results agree within 1e-5.
+ *
+ * @param allowed 0 or 1
+ */
+enum StriaeStatus striae_set_simd(uint32_t allowed);
 
 #ifdef __cplusplus
 }  // extern "C"

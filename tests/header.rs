@@ -24,6 +24,7 @@ fn header_is_fresh() {
         "hits",
         "sampling",
         "zones",
+        "many",
     ];
     let builder = sources
         .iter()

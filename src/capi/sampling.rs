@@ -50,7 +50,7 @@ pub struct StriaeEvaluated {
 }
 
 impl StriaeSample {
-    const NONE: Self = Self {
+    pub(super) const NONE: Self = Self {
         light: [0.0; 3],
         pdf: 0.0,
         weight: [0.0; 3],

@@ -267,15 +267,18 @@ pub unsafe extern "C" fn striae_eval(
                 exclusive("f", f.cast::<[f32; 3]>())?,
             )
         };
-        let output = match flags {
-            0 => Output::BrdfCos,
-            STRIAE_EVAL_BRDF_ONLY => Output::Brdf,
-            other => {
-                let accepted = "0 or STRIAE_EVAL_BRDF_ONLY";
-                return Err(Error::number("flags", f64::from(other), accepted));
-            }
-        };
-        *f = shading.eval(light, output);
+        *f = shading.eval(light, output(flags)?);
         Ok(())
     })
+}
+
+pub(super) fn output(flags: u32) -> Result<Output> {
+    match flags {
+        0 => Ok(Output::BrdfCos),
+        STRIAE_EVAL_BRDF_ONLY => Ok(Output::Brdf),
+        other => {
+            let accepted = "0 or STRIAE_EVAL_BRDF_ONLY";
+            Err(Error::number("flags", f64::from(other), accepted))
+        }
+    }
 }

@@ -5,6 +5,7 @@
 use super::eval::{Output, ROUNDING, finite, rest};
 use super::flocks::Flock;
 use super::relief::{MOST_FINISHES, Relief, Zones, unpacked};
+use super::sample::Evaluated;
 use super::shading::Shading;
 use super::visibility::{Across, Parts};
 use crate::brdf::{ACROSS_SURFACE, Pair, Pairs};
@@ -28,51 +29,34 @@ pub struct Vectors<'a> {
     pub stride: usize,
 }
 
-/// [`Vectors`] that are written.
-#[derive(Debug)]
-pub struct VectorsMut<'a> {
-    /// First components.
-    pub x: &'a mut [f32],
-    /// Second ones.
-    pub y: &'a mut [f32],
-    /// Third ones.
-    pub z: &'a mut [f32],
-    /// From one vector to the next: 1 where nothing lies between them.
-    pub stride: usize,
-}
-
 impl Vectors<'_> {
-    pub(super) fn get(&self, i: usize) -> [f32; 3] {
+    /// All but the first ones.
+    pub(crate) fn from(&self, first: usize) -> Self {
+        let at = first * self.stride;
+        Self {
+            x: &self.x[at..],
+            y: &self.y[at..],
+            z: &self.z[at..],
+            stride: self.stride,
+        }
+    }
+
+    pub(crate) fn get(&self, i: usize) -> [f32; 3] {
         let at = i * self.stride;
         [self.x[at], self.y[at], self.z[at]]
     }
 
     /// Fails unless it holds `count` vectors.
     pub(super) fn check(&self, argument: &'static str, count: usize) -> Result<()> {
-        let lengths = [self.x.len(), self.y.len(), self.z.len()];
-        check(argument, lengths, self.stride, count)
-    }
-}
-
-impl VectorsMut<'_> {
-    fn set(&mut self, i: usize, [x, y, z]: [f32; 3]) {
-        let at = i * self.stride;
-        (self.x[at], self.y[at], self.z[at]) = (x, y, z);
-    }
-}
-
-fn check(argument: &'static str, lengths: [usize; 3], stride: usize, count: usize) -> Result<()> {
-    if stride == 0 {
-        return Err(Error::count(argument, stride, "a stride of 1 or more"));
-    }
-    let held = |length: usize| length.div_ceil(stride);
-    match lengths.into_iter().find(|length| held(*length) < count) {
-        Some(short) => Err(Error::count(
-            argument,
-            held(short),
-            "as many as are asked for",
-        )),
-        None => Ok(()),
+        if self.stride == 0 {
+            return Err(Error::count("stride", 0, "1 or more"));
+        }
+        let shortest = self.x.len().min(self.y.len()).min(self.z.len());
+        let held = shortest.div_ceil(self.stride);
+        if held < count {
+            return Err(Error::count(argument, held, "as many as are asked for"));
+        }
+        Ok(())
     }
 }
 
@@ -88,22 +72,43 @@ struct Sums<F> {
 }
 
 impl Shading {
-    /// [`Self::eval`] for the first `count` of `lights`, and [`Self::pdf`] where `pdfs` are asked for: at a fraction of the
-    /// price, and the same within 1e-5. Fails, with nothing written, where an array is shorter than `count` asks for.
+    /// [`Self::eval`] for the first `count` of `lights`: `tell` gets each one's number and RGB, at a fraction of the price, the
+    /// same within 1e-5. Fails, with nothing told, where an array is shorter than `count` asks for.
     pub fn eval_many(
         &self,
         lights: &Vectors<'_>,
         count: usize,
         output: Output,
-        f: &mut VectorsMut<'_>,
-        pdfs: Option<&mut [f32]>,
+        mut tell: impl FnMut(usize, [f32; 3]),
+    ) -> Result<()> {
+        self.each_light(lights, count, false, |i, light, evaluated| {
+            let rgb = Vec3::from(evaluated.brdf_cos);
+            let rgb = match output {
+                Output::BrdfCos => rgb,
+                Output::Brdf => rgb / light.z,
+            };
+            tell(i, rgb.to_array());
+        })
+    }
+
+    /// [`Self::eval_pdf`] for many lights, as [`Self::eval_many`].
+    pub fn eval_pdf_many(
+        &self,
+        lights: &Vectors<'_>,
+        count: usize,
+        mut tell: impl FnMut(usize, Evaluated),
+    ) -> Result<()> {
+        self.each_light(lights, count, true, |i, _, evaluated| tell(i, evaluated))
+    }
+
+    fn each_light(
+        &self,
+        lights: &Vectors<'_>,
+        count: usize,
+        with_pdf: bool,
+        mut tell: impl FnMut(usize, Vec3, Evaluated),
     ) -> Result<()> {
         lights.check("lights", count)?;
-        check("f", [f.x.len(), f.y.len(), f.z.len()], f.stride, count)?;
-        let mut pdfs = pdfs;
-        if let Some(pdfs) = &pdfs {
-            check("pdfs", [pdfs.len(); 3], 1, count)?;
-        }
         for first in (0..count).step_by(MOST) {
             let own = MOST.min(count - first);
             // What is no light is looked at like one from straight above, and not told of.
@@ -114,21 +119,18 @@ impl Shading {
                     (group[i], usable[i]) = (pair.light, true);
                 }
             }
-            let (found, densities) = self.reflected_many(&group, pdfs.is_some());
+            let (found, densities) = self.reflected_many(&group, with_pdf);
             for i in 0..own {
-                let share = match output {
-                    Output::BrdfCos => 1.0,
-                    Output::Brdf => 1.0 / group[i].z,
+                let evaluated = Evaluated {
+                    brdf_cos: found[i].to_array(),
+                    pdf: densities[i],
                 };
-                let reflected = if usable[i] {
-                    found[i] * share
+                let evaluated = if usable[i] {
+                    evaluated
                 } else {
-                    Vec3::ZERO
+                    Evaluated::default()
                 };
-                f.set(first + i, reflected.to_array());
-                if let Some(pdfs) = &mut pdfs {
-                    pdfs[first + i] = if usable[i] { densities[i] } else { 0.0 };
-                }
+                tell(first + i, group[i], evaluated);
             }
         }
         Ok(())

@@ -24,7 +24,7 @@ pub use crate::lanes::set_simd;
 pub use bounces::Bounces;
 pub use eval::Output;
 pub use look::Parameters;
-pub use many::{Vectors, VectorsMut};
+pub use many::Vectors;
 pub use sample::{Evaluated, Sample};
 pub use shading::{CrossFootprint, Shading};
 pub use zones::SeenZone;

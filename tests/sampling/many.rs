@@ -3,7 +3,7 @@
 use super::scenes::{ALL, Prepared};
 use super::support::{any_direction, random};
 use rand::Rng;
-use striae::scattering::{Bounces, Output, Shading, Vectors, VectorsMut, set_simd};
+use striae::scattering::{Bounces, Output, Shading, Vectors, set_simd};
 
 /// Lights of all kinds: above, below, of any length, and none.
 fn lights(count: usize, seed: u64) -> Vec<[f32; 3]> {
@@ -28,24 +28,19 @@ fn together(shading: &Shading, lights: &[[f32; 3]]) -> (Vec<[f32; 3]>, Vec<f32>)
         z: &flat[2..],
         stride: 3,
     };
-    let [mut x, mut y, mut z] = [(); 3].map(|()| vec![f32::NAN; count]);
-    let mut pdfs = vec![f32::NAN; count];
-    let mut f = VectorsMut {
-        x: &mut x,
-        y: &mut y,
-        z: &mut z,
-        stride: 1,
-    };
+    let (mut f, mut pdfs) = (vec![[f32::NAN; 3]; count], vec![f32::NAN; count]);
     shading
-        .eval_many(
-            &interleaved,
-            count,
-            Output::BrdfCos,
-            &mut f,
-            Some(&mut pdfs),
-        )
+        .eval_pdf_many(&interleaved, count, |i, one| {
+            (f[i], pdfs[i]) = (one.brdf_cos, one.pdf)
+        })
         .unwrap();
-    let f = (0..count).map(|i| [x[i], y[i], z[i]]).collect();
+    let mut plain = f.clone();
+    shading
+        .eval_many(&interleaved, count, Output::BrdfCos, |i, rgb| {
+            plain[i] = rgb
+        })
+        .unwrap();
+    assert_eq!(plain, f, "with densities and without");
     (f, pdfs)
 }
 
@@ -167,11 +162,7 @@ fn short_arrays_are_refused() {
         z: &long[..3],
         stride: 2,
     };
-    let mut out = [[7.0; 4]; 3];
-    let [x, y, z] = &mut out;
-    let mut f = VectorsMut { x, y, z, stride: 1 };
-    let refused = shading.eval_many(&lights, 4, Output::BrdfCos, &mut f, None);
+    let refused = shading.eval_many(&lights, 4, Output::BrdfCos, |i, _| panic!("{i} is told"));
     let text = refused.unwrap_err().to_string();
     assert!(text.contains("lights") && text.contains('2'), "{text}");
-    assert_eq!(out, [[7.0; 4]; 3], "nothing is written");
 }
