@@ -23,6 +23,7 @@ mod generator;
 mod handle;
 mod hardness;
 mod hits;
+mod host_brdf;
 mod material;
 mod pattern;
 #[cfg(feature = "files")]
@@ -43,6 +44,7 @@ pub use files::*;
 pub use generator::*;
 pub use hardness::*;
 pub use hits::*;
+pub use host_brdf::*;
 pub use material::*;
 pub use pattern::*;
 #[cfg(feature = "files")]

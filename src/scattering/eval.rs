@@ -56,7 +56,7 @@ impl Shading {
                 lobes[zone.finish as usize] += zone.lit * lobe;
             }
         });
-        let mut sum = self.zones.colour(&lobes, pair);
+        let mut sum = self.zones.colour(&lobes, pair) + self.hosted(pair);
         if self.has_all_bounces() {
             sum += self.indirect(pair);
         }

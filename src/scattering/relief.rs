@@ -5,7 +5,7 @@ use super::footprint::{Densities, Weight};
 use super::visibility::{Across, Part, overlap, sweep};
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
-use crate::pattern::{MOST_CLASS_VERTICES, Palette};
+use crate::pattern::{MOST_CLASS_VERTICES, Pattern};
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
 use glam::{Vec2, Vec3};
@@ -391,16 +391,19 @@ impl Zones {
     }
 
     /// Keeps a class's cross-section for flocks: its first slot and how many it takes, if there is room.
-    pub(crate) fn keep_class(&mut self, palette: &Palette, class: usize) -> Option<[u32; 2]> {
+    pub(crate) fn keep_class(&mut self, pattern: &Pattern, class: usize) -> Option<[u32; 2]> {
+        let palette = &pattern.palette;
         let points = palette.points(class);
         if points.is_empty() {
             return None;
         }
         let first = self.free(points.len())?;
         for (slot, point) in (first as usize..).zip(points) {
-            let finish = palette.finishes.get(point.finish as usize)?;
+            let finish = pattern
+                .hosts
+                .found(palette.finishes.get(point.finish as usize)?);
             (self.x[slot], self.z[slot]) = (point.x, point.z);
-            self.finish[slot] = self.finish(finish);
+            self.finish[slot] = self.finish(&finish);
         }
         for (slot, pair) in (first as usize..).zip(points.windows(2)) {
             let run = Vec2::new(pair[1].x - pair[0].x, pair[1].z - pair[0].z);

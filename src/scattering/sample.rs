@@ -104,7 +104,7 @@ impl Shading {
                 seen += zone.seen;
             }
         });
-        let mut brdf_cos = self.zones.colour(&lobes, &pair);
+        let mut brdf_cos = self.zones.colour(&lobes, &pair) + self.hosted(&pair);
         if self.has_all_bounces() {
             brdf_cos += self.indirect(&pair);
         }
