@@ -290,6 +290,10 @@ typedef enum StriaeBrdfKind {
    * `alpha_along` and a Fresnel reflectance.
    */
   STRIAE_BRDF_KIND_ANISOTROPIC_GGX = 5,
+  /**
+   * The host's own: `host`.
+   */
+  STRIAE_BRDF_KIND_HOST = 6,
 } StriaeBrdfKind;
 
 /**
@@ -508,6 +512,59 @@ typedef struct StriaeSurface StriaeSurface;
 typedef struct StriaeTool StriaeTool;
 
 /**
+ * The host's own base BRDF, for any zones and the flat surface: three functions. Set struct_size to sizeof(StriaeHostBrdf);
+ * striae_brdf_host() makes a StriaeBrdf of it.
+ *
+ * Directions are three numbers each, in the zone's own frame: x across the scratch, y along it (on the flat surface along
+ * dp_du), z the zone's normal. They have unit length and point away from the surface. `view`, and in `eval` the light too,
+ * lie above the zone. What is to be reflected at a pair of directions depends on them and on `user` alone.
+ *
+ * The functions are called while points are shaded, sampled and evaluated, by whichever threads do that, at any time and
+ * several at once; they must not throw, jump out, or call striae with the StriaeShading that is being asked. The library
+ * allocates nothing around them. Both they and what `user` points to must stay as long as any pattern or StriaeShading
+ * that has them is used. The library remembers each different table, about 200 bytes, until the process ends.
+ *
+ * What they give is believed, but for this: what is negative or no number counts as 0. So it is up to them that no light is
+ * gained, that samples follow their density, and that `eval` over light[2] is the same with view and light swapped.
+ */
+typedef struct StriaeHostBrdf {
+  /**
+   * sizeof(StriaeHostBrdf)
+   */
+  size_t struct_size;
+  /**
+   * Writes to `f` BRDF times cosine, that between light and the zone's normal (light[2]), linear RGB.
+   */
+  void (*eval)(void *user, const float *view, const float *light, float *f);
+  /**
+   * Writes to `light` a direction, of any length above 0, chosen by two numbers `u` from 0 up to (not including) 1. It is
+   * all zeros before: left so, no light is chosen, which counts as black. A light below the zone reflects nothing.
+   */
+  void (*sample)(void *user, const float *u, const float *view, float *light);
+  /**
+   * Returns the density of `sample` at a light, per steradian: also at one below the zone, 0 where `sample` never goes.
+   */
+  float (*pdf)(void *user, const float *view, const float *light);
+  /**
+   * Given to each of them; NULL if they need none.
+   */
+  void *user;
+  /**
+   * STRIAE_LOBE_DIFFUSE or STRIAE_LOBE_GLOSSY: what samples of its zones are flagged with.
+   */
+  uint32_t lobe;
+  /**
+   * How far it spreads light: the width alpha of GGX microfacets that do so about as far across the scratch, 0.001 to 1 (1
+   * if it is diffuse). The smaller, the more finely a curved groove is divided into zones.
+   */
+  float alpha_across;
+  /**
+   * The same along the scratch. Lobes without width, of a perfect mirror, are not accepted.
+   */
+  float alpha_along;
+} StriaeHostBrdf;
+
+/**
  * A base BRDF: how the finish of one zone reflects. Linear RGB. Fields that its kinds do not name are ignored.
  */
 typedef struct StriaeBrdf {
@@ -559,6 +616,11 @@ typedef struct StriaeBrdf {
    * Phong: colour, 0 to 1.
    */
   float specular[3];
+  /**
+   * The host's own: its functions, as striae_brdf_host() fills in. A table of yours must live during each call that the
+   * base BRDF is given to, and no longer; one that the library fills in stays.
+   */
+  const struct StriaeHostBrdf *host;
 } StriaeBrdf;
 
 /**
@@ -1472,6 +1534,14 @@ void striae_tool_retain(const struct StriaeTool *tool);
 void striae_tool_release(const struct StriaeTool *tool);
 
 /**
+ * Fills in a base BRDF of the host's own. The table is copied.
+ *
+ * @param host the functions
+ * @param brdf is written on success only
+ */
+enum StriaeStatus striae_brdf_host(const struct StriaeHostBrdf *host, struct StriaeBrdf *brdf);
+
+/**
  * Fills in a diffuse base BRDF. Allocates nothing.
  *
  * @param albedo RGB, each 0 to 1
@@ -1883,6 +1953,8 @@ enum StriaeStatus striae_pattern_save(const struct StriaePattern *pattern,
  * STRIAE_STATUS_FILE. With `verify` 0 that is the header and all small arrays; a file whose large arrays are damaged opens,
  * and is safe to shade, but shows something else than what was saved.
  *
+ * So is one that has base BRDFs of the host's own, which no file can hold: striae_pattern_open_with() takes them anew.
+ *
  * Not in a library that was built without the cargo feature `files` (it is on by default).
  *
  * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
@@ -1892,6 +1964,23 @@ enum StriaeStatus striae_pattern_save(const struct StriaePattern *pattern,
 enum StriaeStatus striae_pattern_open(const char *path,
                                       uint32_t verify,
                                       struct StriaePattern **pattern);
+
+/**
+ * As striae_pattern_open(), for a pattern that has base BRDFs of the host's own.
+ *
+ * @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ * @param verify 1: check every byte, which takes as long as reading the file; 0: check what takes no time; nothing else
+ * @param hosts tables to reflect by, each that the pattern was built with once: the surface's, then those of its scratches
+ *     in the order in which they were added (in each material that of the bulk, then the layers' from the surface down; the
+ *     surface's own material first). The tables are copied
+ * @param host_count how many: STRIAE_STATUS_FILE if the file has more or fewer, and the text says how many it has
+ * @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
+ */
+enum StriaeStatus striae_pattern_open_with(const char *path,
+                                           uint32_t verify,
+                                           const struct StriaeHostBrdf *hosts,
+                                           size_t host_count,
+                                           struct StriaePattern **pattern);
 
 /**
  * A point's local frame, in which `view` and `light` are given. Allocates nothing.
@@ -2090,7 +2179,7 @@ enum StriaeStatus striae_zones(const struct StriaeShading *shading,
                                size_t *count);
 
 /**
- * A zone's base BRDF, as the material had it but for rounding. Never allocates, locks or blocks; any number of threads at
+ * A zone's base BRDF, as the material had it but for rounding; of the host's own its table. Never allocates, locks or blocks; any number of threads at
  * once.
  *
  * @param shading filled in by striae_shade()

@@ -49,6 +49,7 @@ pub(crate) trait Number:
     fn any(self) -> bool;
     /// Each by itself, with its number.
     fn each(self, of: impl FnMut(usize, f32) -> f32) -> Self;
+    fn lane(self, lane: usize) -> f32;
     fn sum(self) -> f32;
 }
 
@@ -86,6 +87,11 @@ impl Number for f32 {
     #[inline(always)]
     fn each(self, mut of: impl FnMut(usize, f32) -> f32) -> Self {
         of(0, self)
+    }
+
+    #[inline(always)]
+    fn lane(self, _: usize) -> f32 {
+        self
     }
 
     #[inline(always)]
@@ -128,6 +134,11 @@ impl<S: Simd> Number for f32x8<S> {
     #[inline(always)]
     fn each(self, mut of: impl FnMut(usize, f32) -> f32) -> Self {
         Self::from_fn(self.token(), |i| of(i, self[i]))
+    }
+
+    #[inline(always)]
+    fn lane(self, lane: usize) -> f32 {
+        self[lane]
     }
 
     #[inline(always)]
@@ -252,6 +263,12 @@ pub(crate) struct Vector<F> {
     pub x: F,
     pub y: F,
     pub z: F,
+}
+
+impl Vector<f32> {
+    pub(crate) fn to_array(self) -> [f32; 3] {
+        [self.x, self.y, self.z]
+    }
 }
 
 impl<F: Number> Vector<F> {

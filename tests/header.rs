@@ -10,6 +10,7 @@ fn header_is_fresh() {
     let sources = [
         "status",
         "tool",
+        "host_brdf",
         "brdf",
         "material",
         "cross_section",

@@ -1,14 +1,17 @@
 //! Nothing allocates once a pattern is built: not shading, not evaluating, not asking for scratches, not
 //! being refused.
 
+#[path = "support/hosts.rs"]
+mod hosts;
 mod support;
 
+use hosts::{Matt, Satin, hosted};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::fmt::Write;
 use std::hint::black_box;
 use striae::brdf::{Lobe, Metal};
-use striae::formation::{Material, Tool};
+use striae::formation::{Layer, Material, Tool};
 use striae::pattern::{Footprint, Frame, Key, Path, Pattern, Scratch, ScratchHit, SurfacePoint};
 use striae::scattering::{Bounces, CrossFootprint, Output, SeenZone, Shading};
 use support::crowd::add;
@@ -65,14 +68,24 @@ fn allocations<R>(what: impl FnOnce() -> R) -> u64 {
     ALLOCATIONS.with(Cell::get) - before
 }
 
-/// Straight, curved, crossing, ending and crowded scratches with several materials.
+/// Straight, curved, crossing, ending and crowded scratches with several materials, one of the host's own.
 fn pattern() -> Pattern {
     let titanium = Material::metal(Metal::Titanium);
     let polished = Material::new(100.0, ggx(0.1, 0.5), ggx(0.005, 0.9));
+    let albedo = [0.8, 0.5, 0.2];
+    let alphas = [0.2, 0.1];
+    let eta_k = None;
+    let own = Material {
+        layers: vec![Layer {
+            thickness_mm: 0.002,
+            scratched: hosted(Matt { albedo }),
+        }],
+        ..Material::new(100.0, ggx(0.1, 0.5), hosted(Satin { alphas, eta_k }))
+    };
     let mut builder = sheet_of(&titanium);
     for i in 0..200 {
+        let material = [Some(&polished), Some(&own), None][i as usize % 3];
         let i = f64::from(i);
-        let material = (i % 3.0 == 0.0).then_some(&polished);
         let tool = Tool::rockwell_c();
         add(
             &mut builder,

@@ -29,7 +29,7 @@ impl Facet {
     /// BRDF times the cosine between light and the facet's normal, RGB.
     pub fn eval(&self, view: [f32; 3], light: [f32; 3]) -> [f32; 3] {
         let pair = Pair::new(direction(view), direction(light));
-        (self.finish.shared(&pair) * self.finish.lobe_cos(self.normal, &pair)).to_array()
+        self.finish.brdf_cos(self.normal, &pair).to_array()
     }
 
     /// A light, a unit vector, by two numbers from 0 up to (not including) 1: [`Self::eval`] over [`Self::pdf`] is what it

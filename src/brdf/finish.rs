@@ -1,7 +1,9 @@
 //! A base BRDF made ready for evaluation: plain numbers, valid whatever their bits, so that a shading point
 //! may live in a caller's uninitialised memory.
 
-use super::{Brdf, Fresnel, Local, Pair, beckmann, ggx, lambert, oren_nayar, phong};
+use super::{
+    Brdf, Fresnel, Hosted, Local, Pair, beckmann, ggx, hosted, lambert, oren_nayar, phong,
+};
 use crate::lanes::{Lanes, Number, One};
 use core::f32::consts::FRAC_1_PI;
 use glam::{Vec2, Vec3};
@@ -13,6 +15,9 @@ const ANISOTROPIC_GGX: u32 = 2;
 const BECKMANN: u32 = 3;
 const OREN_NAYAR: u32 = 4;
 const PHONG: u32 = 5;
+/// The host's own, by its number: diffuse or not.
+const HOSTED_DIFFUSE: u32 = 6;
+const HOSTED_GLOSSY: u32 = 7;
 
 /// Colours: what does not.
 const PLAIN: u32 = 0;
@@ -40,15 +45,17 @@ pub enum Lobe {
 }
 
 /// A base BRDF, evaluated as `shared(pair) * lobe_cos(normal, pair)`: the first factor is the same for all
-/// zones of a finish, the second depends on the zone's normal. All directions are in the frame (across, along, up).
+/// zones of a finish, the second depends on the zone's normal. The host's own have no such factors, a lobe of 0, and
+/// [`Self::hosted_cos`]. All directions are in the frame (across, along, up).
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub(crate) struct Finish {
     lobe: u32,
+    /// How it is coloured. Of the host's own: its number.
     colour: u32,
     /// Width of the distribution of slopes across the scratch; of Phong's lobe the width that looks like it.
     alpha: f32,
-    /// Of anisotropic GGX: along the scratch. Of Oren-Nayar the roughness, of Phong the exponent.
+    /// Of anisotropic GGX and the host's own: along the scratch. Of Oren-Nayar the roughness, of Phong the exponent.
     second: f32,
     /// Plain: what all lobes are multiplied by; Schlick: f0; conductor: eta.
     rgb: [f32; 3],
@@ -101,6 +108,33 @@ impl Finish {
                 second: alpha_along,
                 ..Self::of_microfacets(ANISOTROPIC_GGX, alpha_across, fresnel)
             },
+            Brdf::Hosted(host) => Self {
+                lobe: if host.is_diffuse {
+                    HOSTED_DIFFUSE
+                } else {
+                    HOSTED_GLOSSY
+                },
+                colour: host.number,
+                alpha: host.alphas[0],
+                second: host.alphas[1],
+                ..Self::BLACK
+            },
+        }
+    }
+
+    /// Which of the host's own base BRDFs it is.
+    pub(crate) fn hosted(&self) -> Option<u32> {
+        matches!(self.lobe, HOSTED_DIFFUSE | HOSTED_GLOSSY).then_some(self.colour)
+    }
+
+    /// The same finish, if it is the host's, by another number.
+    pub(crate) fn renumbered(self, number: u32) -> Self {
+        match self.hosted() {
+            Some(_) => Self {
+                colour: number,
+                ..self
+            },
+            None => self,
         }
     }
 
@@ -121,10 +155,32 @@ impl Finish {
 
     /// How narrow its lobe is where it is narrowest: the slope of its microfacets, 1 if it has none.
     pub(crate) fn alpha(&self) -> f32 {
-        match self.lobe {
-            ANISOTROPIC_GGX => self.alpha.min(self.second),
-            _ => self.alpha,
+        self.alphas().min_element()
+    }
+
+    /// BRDF times n · light, RGB; 0 unless both directions are above the zone.
+    pub(crate) fn brdf_cos(&self, normal: Vec3, pair: &Pair) -> Vec3 {
+        match self.hosted() {
+            Some(_) => self.hosted_cos(normal, pair),
+            None => self.shared(pair) * self.lobe_cos(normal, pair),
         }
+    }
+
+    /// The same over the density of [`Self::sample`]: what a light counts that was sampled.
+    pub(crate) fn weight(&self, normal: Vec3, pair: &Pair) -> Vec3 {
+        self.brdf_cos(normal, pair) / self.pdf(normal, pair)
+    }
+
+    /// The same as [`Self::brdf_cos`] if it is the host's own, else 0.
+    pub(crate) fn hosted_cos(&self, normal: Vec3, pair: &Pair) -> Vec3 {
+        let Some(number) = self.hosted() else {
+            return Vec3::ZERO;
+        };
+        let pair = pair.tilted(normal.x, normal.z);
+        if pair.light.z <= LEAST_COS || pair.view.z <= LEAST_COS {
+            return Vec3::ZERO;
+        }
+        hosted::brdf_cos(number, &pair)
     }
 
     /// What all zones of this finish share for a pair of directions.
@@ -177,7 +233,7 @@ impl Finish {
     /// Widths of the distribution of slopes, across the scratch and along it; 1 if it is diffuse.
     pub(crate) fn alphas(&self) -> Vec2 {
         match self.lobe {
-            ANISOTROPIC_GGX => Vec2::new(self.alpha, self.second),
+            ANISOTROPIC_GGX | HOSTED_DIFFUSE | HOSTED_GLOSSY => Vec2::new(self.alpha, self.second),
             _ => Vec2::splat(self.alpha),
         }
     }
@@ -185,7 +241,7 @@ impl Finish {
     /// How far it spreads light.
     pub(crate) fn kind(&self) -> Lobe {
         match self.lobe {
-            LAMBERT | OREN_NAYAR => Lobe::Diffuse,
+            LAMBERT | OREN_NAYAR | HOSTED_DIFFUSE => Lobe::Diffuse,
             _ if self.alphas().max_element() < SHARP_ALPHA => Lobe::Sharp,
             _ => Lobe::Glossy,
         }
@@ -221,6 +277,11 @@ impl Finish {
                 specular: over(phong::scale(self.second)),
                 exponent: self.second,
             },
+            HOSTED_DIFFUSE | HOSTED_GLOSSY => Brdf::Hosted(Hosted {
+                number: self.colour,
+                is_diffuse: self.lobe == HOSTED_DIFFUSE,
+                alphas: [self.alpha, self.second],
+            }),
             _ => Brdf::Lambert {
                 albedo: over(FRAC_1_PI),
             },
@@ -247,6 +308,7 @@ impl Finish {
             BECKMANN => mirrored(beckmann::sample(self.alpha, u, view)),
             PHONG => phong::sample(self.second, u, view),
             OREN_NAYAR => oren_nayar::sample(self.second, u, view),
+            HOSTED_DIFFUSE | HOSTED_GLOSSY => hosted::sample(self.colour, u, view)?,
             _ => lambert::sample(u),
         };
         light.is_finite().then(|| off_zone(normal, light))
@@ -278,6 +340,10 @@ impl Finish {
                 BECKMANN => beckmann::pdf(self.alpha, pair),
                 PHONG => phong::pdf(self.second, pair),
                 OREN_NAYAR => if_above(pair.light.z, oren_nayar::pdf(self.second, pair)),
+                HOSTED_DIFFUSE | HOSTED_GLOSSY => {
+                    let own = |lane| hosted::pdf(self.colour, &pair.lane(lane));
+                    pair.view.z.each(|lane, _| own(lane))
+                }
                 _ => lanes.all(0.0),
             },
         )
@@ -288,18 +354,19 @@ impl Finish {
         let sampled = |i: u32| {
             let light = self.sample(hammersley(i), normal, view)?;
             let pair = Pair::new(view, light);
-            let weight = self.lobe_cos(normal, &pair) / self.pdf(normal, &pair);
-            weight.is_finite().then(|| self.shared(&pair) * weight)
+            let share = self.weight(normal, &pair) / REFLECTANCE_SAMPLES as f32;
+            share.is_finite().then_some(share)
         };
-        (0..REFLECTANCE_SAMPLES).filter_map(sampled).sum::<Vec3>() / REFLECTANCE_SAMPLES as f32
+        (0..REFLECTANCE_SAMPLES).filter_map(sampled).sum()
     }
 
     /// How rough it is: the width of GGX microfacets that spread light about as far, 1 if it is diffuse.
     pub(crate) fn roughness(&self) -> f32 {
-        match self.lobe {
-            ANISOTROPIC_GGX => (self.alpha * self.second).sqrt(),
-            _ => self.alpha,
+        let alphas = self.alphas();
+        if alphas.x == alphas.y {
+            return alphas.x;
         }
+        (alphas.x * alphas.y).sqrt()
     }
 }
 

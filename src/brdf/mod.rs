@@ -9,6 +9,7 @@ mod facet;
 mod finish;
 mod fresnel;
 mod ggx;
+mod hosted;
 mod lambert;
 mod metal;
 mod oren_nayar;
@@ -19,6 +20,7 @@ pub use facet::Facet;
 pub(crate) use finish::Finish;
 pub use finish::Lobe;
 pub use fresnel::Fresnel;
+pub use hosted::{HostBrdf, Hosted};
 pub use metal::Metal;
 pub(crate) use pair::{Local, Pair, Pairs};
 
@@ -77,6 +79,8 @@ pub enum Brdf {
         /// Reflectance of a microfacet.
         fresnel: Fresnel,
     },
+    /// The host's own.
+    Hosted(Hosted),
 }
 
 impl Brdf {
@@ -115,6 +119,8 @@ impl Brdf {
                 width_in_range("alpha_along", alpha_along)?;
                 fresnel.check()?;
             }
+            // Was checked when it was made.
+            Self::Hosted(_) => {}
         }
         Ok(self)
     }
@@ -132,6 +138,8 @@ impl Brdf {
             Self::Ggx { alpha, .. } => (0.75, alpha),
             // What turns is the normal across the scratch.
             Self::AnisotropicGgx { alpha_across, .. } => (0.75, alpha_across),
+            Self::Hosted(host) if host.is_diffuse => return MOST_STEP_RAD,
+            Self::Hosted(host) => (0.75, host.alphas[0]),
         };
         (widths * f64::from(alpha)).clamp(LEAST_STEP_RAD, MOST_STEP_RAD)
     }

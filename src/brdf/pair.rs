@@ -23,6 +23,23 @@ pub(crate) struct Local<F> {
     pub view_half: F,
 }
 
+impl<F: Number> Local<F> {
+    /// What one of the zones sees.
+    pub(crate) fn lane(&self, lane: usize) -> Local<f32> {
+        let of = |w: &Vector<F>| Vector {
+            x: w.x.lane(lane),
+            y: w.y.lane(lane),
+            z: w.z.lane(lane),
+        };
+        Local {
+            view: of(&self.view),
+            light: of(&self.light),
+            half: of(&self.half),
+            view_half: self.view_half.lane(lane),
+        }
+    }
+}
+
 impl Pair {
     pub(crate) fn new(view: Vec3, light: Vec3) -> Self {
         let sum = view + light;

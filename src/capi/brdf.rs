@@ -1,6 +1,7 @@
 //! Base BRDFs and metals for C.
 
 use super::handle::{borrowed, exclusive};
+use super::host_brdf::StriaeHostBrdf;
 use super::status::{StriaeStatus, guard};
 use crate::brdf::{Brdf, Fresnel, Metal};
 use crate::error::{Error, Result};
@@ -22,6 +23,8 @@ pub enum StriaeBrdfKind {
     /// GGX of polishing lines, which run along the scratch, or on the flat surface along dp_du: `alpha_across`,
     /// `alpha_along` and a Fresnel reflectance.
     AnisotropicGgx = 5,
+    /// The host's own: `host`.
+    Host = 6,
 }
 
 /// Kinds of Fresnel reflectance.
@@ -88,10 +91,15 @@ pub struct StriaeBrdf {
     pub exponent: f32,
     /// Phong: colour, 0 to 1.
     pub specular: [f32; 3],
+    /// The host's own: its functions, as striae_brdf_host() fills in. A table of yours must live during each call that the
+    /// base BRDF is given to, and no longer; one that the library fills in stays.
+    pub host: *const StriaeHostBrdf,
 }
 
 impl StriaeBrdf {
-    pub(super) fn checked(&self) -> Result<Brdf> {
+    /// # Safety
+    /// If the kind says so, `host` is NULL or valid.
+    pub(super) unsafe fn checked(&self) -> Result<Brdf> {
         let albedo = self.albedo;
         let brdf = match self.kind {
             0 => Brdf::Lambert { albedo },
@@ -116,8 +124,10 @@ impl StriaeBrdf {
                 alpha_along: self.alpha_along,
                 fresnel: self.fresnel()?,
             },
+            // SAFETY: as promised by the caller.
+            6 => Brdf::Hosted(unsafe { borrowed("brdf.host", self.host)? }.known()?),
             kind => {
-                let accepted = "a StriaeBrdfKind, 0 to 5";
+                let accepted = "a StriaeBrdfKind, 0 to 6";
                 return Err(Error::number("brdf.kind", f64::from(kind), accepted));
             }
         };
@@ -172,6 +182,7 @@ impl StriaeBrdf {
         roughness: 0.0,
         exponent: 1.0,
         specular: [0.0; 3],
+        host: core::ptr::null(),
     };
 }
 
@@ -207,6 +218,11 @@ impl From<Brdf> for StriaeBrdf {
                 kind: 5,
                 alpha_along,
                 ..Self::of_microfacets(alpha_across, fresnel)
+            },
+            Brdf::Hosted(hosted) => Self {
+                kind: 6,
+                host: StriaeHostBrdf::of(hosted),
+                ..Self::BLACK
             },
         }
     }

@@ -1,7 +1,8 @@
 //! Files for C.
 
-use super::handle::{borrowed, exclusive, make_shared};
+use super::handle::{array, borrowed, exclusive, make_shared};
 use super::hardness::StriaeHardnessMap;
+use super::host_brdf::StriaeHostBrdf;
 use super::pattern::{StriaePattern, StriaePatternBuilder};
 use super::status::{Refusal, StriaeStatus, guard_any};
 use super::tool::StriaeTool;
@@ -133,6 +134,8 @@ pub unsafe extern "C" fn striae_pattern_save(
 /// STRIAE_STATUS_FILE. With `verify` 0 that is the header and all small arrays; a file whose large arrays are damaged opens,
 /// and is safe to shade, but shows something else than what was saved.
 ///
+/// So is one that has base BRDFs of the host's own, which no file can hold: striae_pattern_open_with() takes them anew.
+///
 /// Not in a library that was built without the cargo feature `files` (it is on by default).
 ///
 /// @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
@@ -144,15 +147,45 @@ pub unsafe extern "C" fn striae_pattern_open(
     verify: u32,
     pattern: *mut *mut StriaePattern,
 ) -> StriaeStatus {
+    // SAFETY: as the header asks.
+    unsafe { striae_pattern_open_with(path, verify, core::ptr::null(), 0, pattern) }
+}
+
+/// As striae_pattern_open(), for a pattern that has base BRDFs of the host's own.
+///
+/// @param path the file's path, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+/// @param verify 1: check every byte, which takes as long as reading the file; 0: check what takes no time; nothing else
+/// @param hosts tables to reflect by, each that the pattern was built with once: the surface's, then those of its scratches
+///     in the order in which they were added (in each material that of the bulk, then the layers' from the surface down; the
+///     surface's own material first). The tables are copied
+/// @param host_count how many: STRIAE_STATUS_FILE if the file has more or fewer, and the text says how many it has
+/// @param pattern receives a handle to release with striae_pattern_release(); NULL on failure
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_open_with(
+    path: *const c_char,
+    verify: u32,
+    hosts: *const StriaeHostBrdf,
+    host_count: usize,
+    pattern: *mut *mut StriaePattern,
+) -> StriaeStatus {
     let make = || {
-        // SAFETY: NULL or NUL-terminated, as the header asks.
-        let path = unsafe { path_from("path", path) }?;
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (path, hosts) = unsafe {
+            (
+                path_from("path", path)?,
+                array(["hosts", "host_count"], hosts, host_count)?,
+            )
+        };
         match verify {
             0 => {}
             1 => Pattern::verify_cache(path)?,
             other => return Err(Error::number("verify", f64::from(other), "0 or 1").into()),
         }
-        Pattern::open_cache(path).map(StriaePattern)
+        let known = |(i, host): (usize, &StriaeHostBrdf)| {
+            host.known().map_err(|error| error.within("hosts", i))
+        };
+        let hosts = hosts.iter().enumerate().map(known);
+        Pattern::open_cache_with(path, &hosts.collect::<Result<Vec<_>>>()?).map(StriaePattern)
     };
     // SAFETY: NULL or writable, as the header asks.
     guard_any(|| unsafe { make_shared::<_, FileError>("pattern", pattern, make) })

@@ -70,7 +70,7 @@ pub struct StriaeMaterial {
 
 impl StriaeMaterial {
     /// # Safety
-    /// `layers` is NULL or points to `layer_count` layers.
+    /// `layers` is NULL or points to `layer_count` layers; each base BRDF that is the host's own has valid functions.
     pub(super) unsafe fn checked(&self) -> Result<Material> {
         check_struct_size(
             self.struct_size,
@@ -83,22 +83,23 @@ impl StriaeMaterial {
         // SAFETY: as promised by the caller.
         let layers = unsafe { array(["layers", "layer_count"], self.layers, self.layer_count)? };
         let layer = |(i, layer): (usize, &StriaeLayer)| {
-            let scratched = layer
-                .scratched
-                .checked()
-                .map_err(|error| error.within("layers", i))?;
+            // SAFETY: as promised by the caller.
+            let scratched =
+                unsafe { layer.scratched.checked() }.map_err(|error| error.within("layers", i))?;
             Ok(Layer {
                 thickness_mm: layer.thickness_mm,
                 scratched,
             })
         };
+        // SAFETY: as promised by the caller.
+        let (surface, scratched) = unsafe { (self.surface.checked()?, self.scratched.checked()?) };
         Ok(Material {
             hardness_hv: self.hardness_hv,
             pile_up: self.pile_up()?,
             pile_up_fraction: self.pile_up_fraction,
             elastic_recovery: self.elastic_recovery,
-            surface: self.surface.checked()?,
-            scratched: self.scratched.checked()?,
+            surface,
+            scratched,
             layers: layers
                 .iter()
                 .enumerate()

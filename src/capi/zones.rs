@@ -97,7 +97,7 @@ pub unsafe extern "C" fn striae_zones(
     })
 }
 
-/// A zone's base BRDF, as the material had it but for rounding. Never allocates, locks or blocks; any number of threads at
+/// A zone's base BRDF, as the material had it but for rounding; of the host's own its table. Never allocates, locks or blocks; any number of threads at
 /// once.
 ///
 /// @param shading filled in by striae_shade()

@@ -6,6 +6,7 @@
 use super::error::{FileError, Place, Result};
 use super::map::map;
 use super::read::unreadable;
+use crate::brdf::Hosted;
 use crate::pattern::{FACTS, Pattern, SECTIONS, Section, Sections};
 use bytemuck::{Pod, Zeroable, bytes_of, cast_slice, pod_read_unaligned};
 use core::ops::Range;
@@ -19,7 +20,7 @@ use std::sync::Arc;
 const MAGIC: [u8; 8] = *b"STRIAE\r\n";
 
 /// Changes with the meaning of any byte.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 
 const BYTE_ORDER: u32 = 0x0102_0304;
 
@@ -84,12 +85,24 @@ impl Pattern {
     /// and is safe to shade, but shows something else than what was saved: [`Self::verify_cache`] tells. The
     /// file must not be written to while it is open (putting another one in its place is fine).
     ///
-    /// Errors: no file, not a saved pattern, one of another version, byte order or build, cut short, or damaged.
+    /// Errors: no file, not a saved pattern, one of another version, byte order or build, cut short, or damaged; or one
+    /// that has base BRDFs of the host's own, which are code, and no file's: [`Self::open_cache_with`].
     pub fn open_cache(path: impl AsRef<Path>) -> Result<Self> {
+        Self::open_cache_with(path, &[])
+    }
+
+    /// The same for a pattern that has base BRDFs of the host's own: they are given anew, as many and in the same order as
+    /// [`Self::hosted`] of the one that was saved.
+    ///
+    /// Errors: those of [`Self::open_cache`]; more of them or fewer than the pattern has.
+    pub fn open_cache_with(path: impl AsRef<Path>, hosts: &[Hosted]) -> Result<Self> {
         let path = path.as_ref();
-        open(path)
-            .and_then(|opened| opened.pattern())
-            .map_err(|error| error.in_file(path))
+        let opened = || {
+            let opened = open(path)?;
+            opened.check_hosts(hosts)?;
+            opened.pattern(hosts)
+        };
+        opened().map_err(|error| error.in_file(path))
     }
 
     /// Checks every byte of a saved pattern: as long as it takes to read it.
@@ -100,7 +113,7 @@ impl Pattern {
         let verify = || {
             let opened = open(path)?;
             opened.verify(usize::MAX)?;
-            opened.pattern().map(|_| ())
+            opened.pattern(&[]).map(|_| ())
         };
         verify().map_err(|error| error.in_file(path))
     }
@@ -227,7 +240,7 @@ fn check_header(file: &[u8]) -> Result<[Entry; SECTIONS]> {
         return refused("has a damaged header", WHOLE);
     }
     if head.version != VERSION {
-        return refused(format!("has version {}", head.version), "version 2");
+        return refused(format!("has version {}", head.version), "version 4");
     }
     if head.file_bytes != file.len() as u64 {
         let (stated, found) = (head.file_bytes, file.len());
@@ -267,15 +280,32 @@ fn follow(table: &[Entry; SECTIONS], file_bytes: usize) -> bool {
 }
 
 impl Opened {
-    fn pattern(&self) -> Result<Pattern> {
+    /// The block of numbers.
+    fn facts(&self) -> &[u8] {
+        &self.file[TABLE.end..HEADER]
+    }
+
+    fn check_hosts(&self, hosts: &[Hosted]) -> Result<()> {
+        let own = Pattern::host_count(self.facts()).unwrap_or(0);
+        if own as usize == hosts.len() {
+            return Ok(());
+        }
+        let given = hosts.len();
+        refused(
+            format!("has {own} base BRDFs of the host's own, and {given} are given"),
+            "as many as it has, in the order of the pattern that was saved",
+        )
+    }
+
+    fn pattern(&self, hosts: &[Hosted]) -> Result<Pattern> {
         self.verify(SMALL)?;
-        let facts = &self.file[TABLE.end..HEADER];
+        let facts = self.facts();
         let places = self.table.iter();
         let mut sections = Sections {
             file: &self.file,
             places: places.map(|entry| (entry.place(), entry.element_bytes as usize)),
         };
-        match Pattern::of_sections(facts, &mut sections) {
+        match Pattern::of_sections(facts, &mut sections, hosts) {
             Some(pattern) => Ok(pattern),
             None => refused(
                 "holds arrays that do not fit together",

@@ -3,6 +3,7 @@
 use super::Scratch;
 use super::along::Along;
 use super::course::{self, Courses};
+use super::hosts::Hosts;
 use super::kinds::Kinds;
 use super::pattern::{Pattern, Strand};
 use super::pieces::{Chains, Piece};
@@ -33,6 +34,7 @@ pub struct PatternBuilder {
     /// Cross-sections of scratches that share theirs with no other.
     pub(super) own: Vec<Track>,
     pub(super) scratches: Vec<Added>,
+    pub(super) hosts: Hosts,
 }
 
 /// A scratch as the builder keeps it.
@@ -72,6 +74,9 @@ impl PatternBuilder {
             in_range("units_per_uv", units, 1e-9, 1e9)?;
         }
         material.check()?;
+        let mut hosts = Hosts::default();
+        hosts.admit_one(material.surface);
+        hosts.admit(&material);
         Ok(Self {
             material,
             hardness: None,
@@ -82,6 +87,7 @@ impl PatternBuilder {
             kinds: Kinds::default(),
             own: Vec::new(),
             scratches: Vec::new(),
+            hosts,
         })
     }
 
@@ -248,6 +254,9 @@ impl PatternBuilder {
         if points > Piece::MOST_POINTS {
             let accepted = "at most 1073741823 control points in all";
             return Err(Error::count("point_count", points, accepted));
+        }
+        if let Some(material) = scratch.material {
+            self.hosts.admit(material);
         }
         let is_own = prepared.own.is_some();
         let track = match prepared.own {

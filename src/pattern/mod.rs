@@ -15,6 +15,7 @@ mod generator;
 mod grid;
 mod hit;
 mod hits;
+mod hosts;
 mod kinds;
 mod layers;
 mod lists;
@@ -50,7 +51,6 @@ pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes,
 pub(crate) use hit::Hit;
 pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
-pub(crate) use palette::Palette;
 pub use path::{Curve, Path};
 pub use pattern::{Pattern, PatternMemory};
 pub(crate) use point::Metric;

@@ -3,6 +3,7 @@
 use super::builder::PatternBuilder;
 use super::course::Course;
 use super::grid::Grid;
+use super::hosts::Hosts;
 use super::overlap::visible_shares;
 use super::palette::Palette;
 use super::pieces::{Curves, Piece};
@@ -10,7 +11,7 @@ use super::prefilter::Pyramid;
 use super::query::Candidates;
 use super::store::Store;
 use super::tracks::{Extent, TrackRef, Tracks};
-use crate::brdf::Finish;
+use crate::brdf::{Finish, Hosted};
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use rayon::prelude::*;
@@ -38,6 +39,7 @@ pub struct Pattern {
     /// How far any scratch reaches from its centre line.
     pub(crate) extent: Extent,
     pub(super) run_cos: f64,
+    pub(crate) hosts: Hosts,
 }
 
 /// How much memory a pattern takes, bytes.
@@ -70,6 +72,8 @@ impl Pattern {
         shared.iter().chain(&builder.own).for_each(|track| {
             tracks.push(track);
         });
+        let hosts = builder.hosts.clone();
+        tracks.change_finishes(|finish| hosts.kept(finish));
         let first_own = u32::try_from(shared.len()).unwrap_or(u32::MAX);
         let strand = |added: &super::builder::Added| Strand {
             track: added.strand.track + if added.is_own { first_own } else { 0 },
@@ -94,7 +98,7 @@ impl Pattern {
             knots: builder.courses.knots().to_vec().into(),
             extent: tracks.extent(),
             run_cos: run_cos(smoothest),
-            surface: Finish::new(&builder.material.surface),
+            surface: hosts.kept(Finish::new(&builder.material.surface)),
             mm_per_scene_unit: builder.mm_per_scene_unit,
             units_per_uv: builder.units_per_uv,
             visible: Store::default(),
@@ -102,6 +106,7 @@ impl Pattern {
             pyramid: Pyramid::default(),
             grid,
             tracks,
+            hosts,
         };
         pattern.visible = visible_shares(&pattern).into();
         pattern.palette = Palette::new(&pattern.tracks, &pattern.station_areas());
@@ -171,6 +176,13 @@ impl Pattern {
     /// What later scratches leave of the quarters of a piece, in 255ths.
     pub(super) fn visible(&self, piece: usize) -> [u8; 4] {
         self.visible.get(piece).copied().unwrap_or([255; 4])
+    }
+
+    /// The host's own base BRDFs that its zones have, each once: the surface's, then those of its scratches in the order
+    /// in which they were added (that of the bulk, then the layers' from the surface down; the surface's own material
+    /// first).
+    pub fn hosted(&self) -> &[Hosted] {
+        &self.hosts.0
     }
 
     /// How many scratches it holds.

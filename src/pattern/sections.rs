@@ -3,12 +3,13 @@
 use super::Pattern;
 use super::caps::Caps;
 use super::grid::Grid;
+use super::hosts::Hosts;
 use super::palette::Palette;
 use super::prefilter::Pyramid;
 use super::raster::Raster;
 use super::store::Store;
 use super::tracks::{Extent, Tracks};
-use crate::brdf::Finish;
+use crate::brdf::{Finish, Hosted};
 use bytemuck::{Pod, Zeroable, bytes_of, cast_slice, try_pod_read_unaligned};
 use core::ops::Range;
 use glam::DVec2;
@@ -31,7 +32,8 @@ struct Facts {
     raster: Raster,
     extent: Extent,
     surface: Finish,
-    padding: u32,
+    /// Base BRDFs of the host's own, which the arrays name by their place among them.
+    host_count: u32,
 }
 
 /// An array as bytes, and how many each element takes.
@@ -78,7 +80,7 @@ impl Pattern {
             raster: self.grid.raster,
             extent: self.extent,
             surface: self.surface,
-            padding: 0,
+            host_count: u32::try_from(self.hosts.0.len()).unwrap_or(u32::MAX),
         };
         let mut bytes = [0; FACTS];
         bytes.copy_from_slice(bytes_of(&facts));
@@ -113,11 +115,18 @@ impl Pattern {
         ]
     }
 
-    /// The pattern of a file's numbers and arrays, if they fit together. Each array's own content is believed to be
-    /// whatever it is: queries look before they leap.
+    /// How many base BRDFs of the host's own the pattern of a file's numbers has.
+    pub(crate) fn host_count(facts: &[u8]) -> Option<u32> {
+        let facts: Facts = try_pod_read_unaligned(facts).ok()?;
+        Some(facts.host_count)
+    }
+
+    /// The pattern of a file's numbers and arrays, if they fit together, with these base BRDFs of the host's own. Each
+    /// array's own content is believed to be whatever it is: queries look before they leap.
     pub(crate) fn of_sections<I: Iterator<Item = (Range<usize>, usize)>>(
         facts: &[u8],
         sections: &mut Sections<'_, I>,
+        hosts: &[Hosted],
     ) -> Option<Self> {
         let facts: Facts = try_pod_read_unaligned(facts).ok()?;
         // In the order of `sections`: so are the fields of an expression evaluated.
@@ -160,6 +169,7 @@ impl Pattern {
             units_per_uv: facts.units_per_uv,
             extent: facts.extent,
             run_cos: facts.run_cos,
+            hosts: Hosts(hosts.to_vec()),
         };
         let is_sound = facts.is_sound()
             && pattern.palette.is_sound()

@@ -28,7 +28,8 @@ impl<T: Pod> Store<T> {
         self.to_mut().push(element);
     }
 
-    fn to_mut(&mut self) -> &mut Vec<T> {
+    /// Of a part of a file a copy.
+    pub(super) fn to_mut(&mut self) -> &mut Vec<T> {
         #[cfg(feature = "files")]
         if let Self::Mapped(..) = self {
             *self = Self::Owned(self.to_vec());

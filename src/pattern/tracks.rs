@@ -174,6 +174,14 @@ impl Tracks {
             + size_of_val(&self.blends[..])
     }
 
+    /// Puts others in the place of all finishes.
+    pub(crate) fn change_finishes(&mut self, change: impl Fn(Finish) -> Finish) {
+        let layers = self.layers.to_mut().iter_mut();
+        layers.for_each(|layer| layer.finish = change(layer.finish));
+        let records = self.records.to_mut().iter_mut();
+        records.for_each(|record| record.bulk = change(record.bulk));
+    }
+
     /// All different finishes.
     pub(crate) fn finishes(&self) -> Vec<Finish> {
         let layers = self.layers.iter().map(|layer| layer.finish);

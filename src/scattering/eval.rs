@@ -50,7 +50,7 @@ impl Shading {
     /// BRDF times cosine, RGB.
     pub(super) fn reflected(&self, pair: &Pair) -> Vec3 {
         let lobes = in_lanes!(lanes => self.lobes(lanes, pair));
-        let mut sum = self.zones.colour(&lobes, pair);
+        let mut sum = self.zones.colour(&lobes, pair) + self.hosted(pair);
         if self.has_all_bounces() {
             sum += self.indirect(pair);
         }

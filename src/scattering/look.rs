@@ -127,9 +127,10 @@ impl Shading {
     /// An estimate of the share of light that the point reflects towards the view, RGB: the mean of 128 samples, within
     /// about 0.05. It costs as much as 128 lights do.
     pub fn albedo(&self) -> [f32; 3] {
-        let weight = |i| Some(Vec3::from(self.sample(evenly(i))?.weight));
-        let sum: Vec3 = (0..ALBEDO_SAMPLES).filter_map(weight).sum();
-        (sum / ALBEDO_SAMPLES as f32).to_array()
+        // Each by itself: what a host reflects may be large, and their sum beyond single precision.
+        let share = |i| Some(Vec3::from(self.sample(evenly(i))?.weight) / ALBEDO_SAMPLES as f32);
+        let sum: Vec3 = (0..ALBEDO_SAMPLES).filter_map(share).sum();
+        sum.to_array()
     }
 
     /// Whether the viewer sees zones of this kind.

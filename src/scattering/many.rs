@@ -148,9 +148,14 @@ impl Shading {
                 self.reflected_groups(lanes, lights, with_pdf, &mut found, &mut densities);
             });
         }
-        if self.has_all_bounces() {
+        if self.has_all_bounces() || self.has_hosted() {
             for (rgb, light) in found.iter_mut().zip(lights) {
-                *rgb = finite(*rgb + self.indirect(&Pair::new(self.view, *light)));
+                let pair = Pair::new(self.view, *light);
+                *rgb += self.hosted(&pair);
+                if self.has_all_bounces() {
+                    *rgb += self.indirect(&pair);
+                }
+                *rgb = finite(*rgb);
             }
         }
         (found, densities)

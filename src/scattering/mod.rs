@@ -9,6 +9,7 @@ mod eval;
 mod exchange;
 mod flocks;
 mod footprint;
+mod hosted;
 mod look;
 mod many;
 mod relief;

@@ -7,7 +7,7 @@ use super::visit::first_of;
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
 use crate::lanes::{Lanes, Number, in_lanes};
-use crate::pattern::Palette;
+use crate::pattern::Pattern;
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
 use glam::{Vec2, Vec3};
@@ -175,7 +175,10 @@ impl Zones {
             // Scaled up first: facets of nanometres would underflow when squared.
             let [x, z] = self.runs(lanes, slot).map(|run| run * 1e6);
             let length = (x * x + z * z).sqrt();
-            let normal_x = length.if_above(length.like(0.0), -z / length, length.like(0.0));
+            let zero = lanes.all(0.0);
+            let normal_x = length.if_above(zero, -z / length, zero);
+            // Absurdly large ones have no direction.
+            let normal_x = lanes.all(f32::MAX).if_above(length, normal_x, zero);
             let weight =
                 self.part_weight(lanes, relief, slot, self.seen(lanes, slot), view.x / view.z);
             let weight = first_of(lanes, facets - k, weight);
@@ -320,16 +323,19 @@ impl Zones {
     }
 
     /// Keeps a class's cross-section for flocks: its first slot and how many it takes, if there is room.
-    pub(crate) fn keep_class(&mut self, palette: &Palette, class: usize) -> Option<[u32; 2]> {
+    pub(crate) fn keep_class(&mut self, pattern: &Pattern, class: usize) -> Option<[u32; 2]> {
+        let palette = &pattern.palette;
         let points = palette.points(class);
         if points.is_empty() {
             return None;
         }
         let first = self.free(points.len())?;
         for (slot, point) in (first as usize..).zip(points) {
-            let finish = palette.finishes.get(point.finish as usize)?;
+            let finish = pattern
+                .hosts
+                .found(palette.finishes.get(point.finish as usize)?);
             (self.x[slot], self.z[slot]) = (point.x, point.z);
-            self.finish[slot] = self.finish(finish);
+            self.finish[slot] = self.finish(&finish);
         }
         for (slot, pair) in (first as usize..).zip(points.windows(2)) {
             let run = Vec2::new(pair[1].x - pair[0].x, pair[1].z - pair[0].z);

@@ -146,7 +146,7 @@ impl Shading {
             density,
             seen,
         } = in_lanes!(lanes => self.sums(lanes, &pair));
-        let mut brdf_cos = self.zones.colour(&lobes, &pair);
+        let mut brdf_cos = self.zones.colour(&lobes, &pair) + self.hosted(&pair);
         if self.has_all_bounces() {
             brdf_cos += self.indirect(&pair);
         }

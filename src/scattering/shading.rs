@@ -96,7 +96,7 @@ impl Shading {
     /// surface, reflects nothing; a point that is not usable (normal, uv or derivatives) is an unscratched one;
     /// a footprint of no usable size (0, infinite, NaN) is a point. Allocates nothing.
     pub fn shade(&mut self, pattern: &Pattern, point: &SurfacePoint, view: [f32; 3]) -> Result<()> {
-        self.begin(pattern.surface, view)?;
+        self.begin(pattern.hosts.found(&pattern.surface), view)?;
         let frame = Frame::at(point)?;
         let scale = pattern.mm_per_scene_unit;
         let metric = Metric::at(point, &frame, scale)?;
@@ -286,7 +286,10 @@ impl Shading {
             // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
             let alone = ((area / first_of_crowd - 1.0) / FADE).clamp(0.0, 1.0);
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
-            let added = alone > 0.0 && self.add(&hits, i, single(alone), reach.footprint).is_some();
+            let added = alone > 0.0
+                && self
+                    .add(pattern, &hits, i, single(alone), reach.footprint)
+                    .is_some();
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(Crowd::new);
@@ -298,7 +301,14 @@ impl Shading {
     }
 
     /// Adds what is left of run `i`, thinned by `gain`; nothing if there is no room.
-    fn add(&mut self, hits: &[Hit<'_>], i: usize, gain: f32, footprint: &Region) -> Option<()> {
+    fn add(
+        &mut self,
+        pattern: &Pattern,
+        hits: &[Hit<'_>],
+        i: usize,
+        gain: f32,
+        footprint: &Region,
+    ) -> Option<()> {
         let pixel_area = footprint.area();
         let hit = &hits[i];
         if self.relief_count as usize == MOST_RELIEFS {
@@ -322,7 +332,7 @@ impl Shading {
         let weight = densities.add_regions(&left, hit.origin, across, pixel_area)?;
         let mut numbers = [0; MOST_LAYERS + 1];
         for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
-            *number = self.zones.finish(&finish);
+            *number = self.zones.finish(&pattern.hosts.found(&finish));
         }
         let number = layer.iter().map(|&layer| numbers[layer as usize]);
         let (points, across, view) = ((xs, zs), across.as_vec2(), self.view);
@@ -346,12 +356,7 @@ impl Shading {
         let mut class = None;
         for flock in crowd.flocks(coarser) {
             let known = class.filter(|(class, _)| *class == flock.class);
-            let keep = || {
-                Some((
-                    flock.class,
-                    self.zones.keep_class(&pattern.palette, flock.class)?,
-                ))
-            };
+            let keep = || Some((flock.class, self.zones.keep_class(pattern, flock.class)?));
             class = known.or_else(keep);
             let Some((_, slots)) = class else {
                 return false;

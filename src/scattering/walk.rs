@@ -145,8 +145,7 @@ impl Ground<'_> {
 fn reflected(finish: &Finish, normal: Vec3, view: Vec3, u: [f32; 2]) -> Option<(Vec3, Vec3)> {
     let light = finish.sample(u, normal, view)?;
     let pair = Pair::new(view, light);
-    let share = finish.lobe_cos(normal, &pair) / finish.pdf(normal, &pair);
-    let weight = finish.shared(&pair) * share;
+    let weight = finish.weight(normal, &pair);
     (weight.is_finite() && weight.max_element() > 0.0).then_some((light, weight))
 }
 

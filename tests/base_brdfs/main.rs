@@ -6,6 +6,8 @@ mod energy;
 mod formulas;
 mod grid;
 mod hostile;
+#[path = "../support/hosts.rs"]
+mod hosts;
 mod limits;
 mod sampling;
 mod zones;
@@ -51,7 +53,7 @@ fn lambert() -> Brdf {
     Brdf::Lambert { albedo: [1.0; 3] }
 }
 
-/// White ones of every kind, from mirrors to as rough as can be.
+/// White ones of every kind, from mirrors to as rough as can be, and a host's.
 fn white() -> Vec<Brdf> {
     let mut all = vec![lambert()];
     all.extend([0.0, 0.4, 1.0].map(oren_nayar));
@@ -60,6 +62,14 @@ fn white() -> Vec<Brdf> {
     all.extend([0.001, 0.05, 0.3, 1.0].map(cook_torrance));
     let widths = [(0.05, 0.4), (0.4, 0.05), (1.0, 0.1), (0.02, 0.01)];
     all.extend(widths.map(|(across, along)| anisotropic(across, along)));
+    all.push(hosts::hosted(hosts::Matt { albedo: [1.0; 3] }));
+    let satin = |alphas| {
+        hosts::hosted(hosts::Satin {
+            alphas,
+            eta_k: None,
+        })
+    };
+    all.extend([[0.05, 0.05], [0.4, 0.1]].map(satin));
     all
 }
 

@@ -6,6 +6,8 @@ mod bounces;
 mod chi_square;
 mod distribution;
 mod energy;
+#[path = "../support/hosts.rs"]
+mod hosts;
 mod integrals;
 mod many;
 mod reverse;

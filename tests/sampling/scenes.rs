@@ -1,5 +1,6 @@
 //! Shading points of all kinds.
 
+use super::hosts::{Matt, Satin, hosted};
 use super::support::crowd::add;
 use super::support::{SHEET_MM, any_direction, lambert, random, sheet_of, single};
 use rand::Rng;
@@ -23,7 +24,7 @@ pub(crate) struct Prepared {
 }
 
 /// Names of materials and white base BRDFs of (zones, surface): lobes no narrower than integrals can follow.
-pub(crate) fn materials() -> [(&'static str, [Brdf; 2]); 6] {
+pub(crate) fn materials() -> [(&'static str, [Brdf; 2]); 7] {
     let fresnel = Fresnel::Schlick { f0: [1.0; 3] };
     let albedo = [1.0; 3];
     let ggx = |alpha| Brdf::Ggx { alpha, fresnel };
@@ -45,8 +46,22 @@ pub(crate) fn materials() -> [(&'static str, [Brdf; 2]); 6] {
         ("phong on oren-nayar", [phong(60.0), oren_nayar(1.0)]),
         ("cook-torrance", [cook_torrance(0.1), cook_torrance(0.4)]),
         ("polished", [anisotropic(0.2, 0.07), anisotropic(0.3, 0.1)]),
+        ("the host's", *HOSTED),
     ]
 }
+
+/// A satin metal and a matt surface of the host's, made once.
+static HOSTED: LazyLock<[Brdf; 2]> = LazyLock::new(|| {
+    let alphas = [0.15, 0.1];
+    let albedo = [1.0; 3];
+    [
+        hosted(Satin {
+            alphas,
+            eta_k: None,
+        }),
+        hosted(Matt { albedo }),
+    ]
+});
 
 /// Scratches of two kinds of finish through the sheet's middle: crossing, curved and, if wanted, by the hundred.
 pub(crate) fn pattern([scratched, surface]: [Brdf; 2], other: Brdf, crowd: usize) -> Pattern {
