@@ -1,47 +1,225 @@
-//! What shading costs, as ratios to one GGX conductor evaluation in the same run.
+//! What shading costs, as ratios to one GGX conductor evaluation in the same run: by time (criterion), and, where valgrind is
+//! there, by instructions.
 
 #[path = "support/figures.rs"]
 mod figures;
 
+use criterion::{BenchmarkId, Criterion, Throughput};
 use std::f32::consts::PI;
 use std::hint::black_box;
-use std::time::Instant;
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::Duration;
 use striae::brdf::Metal;
 use striae::formation::{Material, Tool};
 use striae::pattern::{Footprint, Key, Path, Pattern, PatternBuilder, Scratch, SurfacePoint};
-use striae::scattering::{Output, Shading};
-
-/// Calls that are timed together.
-const CALLS: u32 = 2000;
-
-/// Repetitions; the fastest is what the machine can do undisturbed.
-const REPETITIONS: u32 = 60;
+use striae::scattering::{Output, Shading, Vectors, set_simd};
 
 /// The plate's side, mm.
 const SIDE_MM: f64 = 100.0;
 
-fn main() {
-    let mut figures = Vec::new();
-    let mut note = |name: &str, figure: f64| figures.push((name.to_owned(), figure));
-    let ggx = ggx_ns();
-    note("ggx_ns", ggx);
+/// Lights and samples that are asked for at once.
+const MANY: usize = 64;
 
-    let scratched = pattern(&[0.5]);
-    let beside = point(0.25, 0.05);
-    let within = point(0.5, 0.05);
-    let empty = shade_ns(&scratched, &beside);
-    let one = shade_ns(&scratched, &within);
-    let again = eval_ns(&scratched, &within);
-    note("shade_empty_ns", empty);
-    note("shade_one_ns", one);
-    note("eval_one_ns", again);
-    note("shade_empty_per_ggx", empty / ggx);
-    note("shade_eval_per_ggx", (one + again) / ggx);
-    note("eval_again_per_ggx", again / ggx);
-    let crossed = pattern(&[0.5, 0.5003, 0.5006, 0.5009]);
-    note("shade_four_ns", shade_ns(&crossed, &within));
-    note("eval_four_ns", eval_ns(&crossed, &within));
+/// A call of each kind, and of how many things it disposes.
+const JOBS: [(&str, usize); 10] = [
+    ("ggx", 1),
+    ("shade_empty", 1),
+    ("shade_one", 1),
+    ("shade_four", 1),
+    ("eval", 1),
+    ("eval_four", 1),
+    ("eval_pdf", 1),
+    ("sample", 1),
+    ("eval_many", MANY),
+    ("sample_many", MANY),
+];
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    if let [_, flag, job, calls] = &arguments[..]
+        && flag == COUNT
+    {
+        let scene = Scene::new();
+        let mut shading = scene.prepared(job);
+        for i in 0..calls.parse().expect("a number") {
+            scene.call(job, i, &mut shading);
+        }
+        return;
+    }
+    let mut figures = Vec::new();
+    let times = JOBS.map(|(job, things)| (job, median_ns(job, "simd") / things as f64));
+    set_simd(false);
+    let slow = ["eval", "shade_one", "eval_many"].map(|job| (job, median_ns(job, "plain")));
+    set_simd(true);
+    let of = |name: &str| {
+        let found = times.iter().find(|(job, _)| *job == name);
+        found.expect("a job").1
+    };
+    let mut note = |name: &str, figure: f64| figures.push((name.to_owned(), figure));
+    let ggx = of("ggx");
+    for (job, ns) in times {
+        note(&format!("{job}_ns"), ns);
+    }
+    note("shade_empty_per_ggx", of("shade_empty") / ggx);
+    note("shade_eval_per_ggx", (of("shade_one") + of("eval")) / ggx);
+    note("eval_again_per_ggx", of("eval") / ggx);
+    note("sample_per_ggx", of("sample") / ggx);
+    note("batch_speedup", of("eval") / of("eval_many"));
+    note("batch_sample_speedup", of("sample") / of("sample_many"));
+    note("simd_speedup", slow[0].1 / of("eval"));
+    note("simd_shade_speedup", slow[1].1 / of("shade_one"));
+    if let Some(all) = instructions() {
+        let of = |name: &str| {
+            let found = all.iter().find(|(job, _)| *job == name);
+            found.expect("a job").1
+        };
+        let ggx = of("ggx");
+        for (job, count) in &all {
+            note(&format!("{job}_instructions"), *count);
+        }
+        note("shade_empty_per_ggx_instructions", of("shade_empty") / ggx);
+        let both = of("shade_one") + of("eval");
+        note("shade_eval_per_ggx_instructions", both / ggx);
+        note("eval_again_per_ggx_instructions", of("eval") / ggx);
+        note("sample_per_ggx_instructions", of("sample") / ggx);
+    }
     figures::write(&figures);
+}
+
+/// The median time of a call, by criterion.
+fn median_ns(job: &str, how: &str) -> f64 {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("criterion");
+    let scene = Scene::new();
+    let mut shading = scene.prepared(job);
+    let mut criterion = Criterion::default()
+        .output_directory(&folder)
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_secs(2));
+    let mut group = criterion.benchmark_group("scattering");
+    group.throughput(Throughput::Elements(1));
+    let mut i = 0;
+    group.bench_function(BenchmarkId::new(job, how), |bencher| {
+        bencher.iter(|| {
+            i += 1;
+            scene.call(job, i, &mut shading);
+        });
+    });
+    group.finish();
+    let path = folder.join(format!("scattering/{job}/{how}/new/estimates.json"));
+    let text = std::fs::read(path).expect("criterion writes its estimates");
+    let estimates: serde_json::Value = serde_json::from_slice(&text).expect("JSON");
+    let median = estimates["median"]["point_estimate"].as_f64();
+    median.expect("a median")
+}
+
+/// The first argument of a run that valgrind counts.
+const COUNT: &str = "--count";
+
+/// Instructions per thing, by callgrind; nothing where there is no valgrind.
+fn instructions() -> Option<Vec<(&'static str, f64)>> {
+    JOBS.iter()
+        .map(|&(job, things)| {
+            // What starting up takes falls out of the difference.
+            let (few, many) = (counted(job, 50)?, counted(job, 550)?);
+            Some((job, (many - few) / 500.0 / things as f64))
+        })
+        .collect()
+}
+
+fn counted(job: &str, calls: u32) -> Option<f64> {
+    let file = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("callgrind.out");
+    let own = std::env::current_exe().ok()?;
+    let run = Command::new("valgrind")
+        .arg("--tool=callgrind")
+        .arg(format!("--callgrind-out-file={}", file.display()))
+        .arg(own)
+        .args([COUNT, job, &calls.to_string()])
+        // Threads that wait for work would be counted.
+        .env("RAYON_NUM_THREADS", "1")
+        .output()
+        .ok()?;
+    let told = String::from_utf8_lossy(&run.stderr).into_owned();
+    let line = told.lines().find(|line| line.contains("Collected"))?;
+    line.split_whitespace().last()?.parse().ok()
+}
+
+/// What is shaded.
+struct Scene {
+    one: Pattern,
+    four: Pattern,
+    /// Packed, x then y then z.
+    lights: [Vec<f32>; 3],
+    numbers: [Vec<f32>; 3],
+}
+
+impl Scene {
+    fn new() -> Self {
+        let lights = [0, 1, 2].map(|k| (0..MANY as u32).map(|i| direction(i)[k]).collect());
+        let numbers = [0, 1, 2].map(|k| (0..MANY as u32).map(|i| number(i)[k]).collect());
+        Self {
+            one: pattern(&[0.5]),
+            four: pattern(&[0.5, 0.5003, 0.5006, 0.5009]),
+            lights,
+            numbers,
+        }
+    }
+
+    /// A point in the middle of the scratches.
+    fn prepared(&self, job: &str) -> Shading {
+        let mut shading = Shading::default();
+        let pattern = if job == "eval_four" {
+            &self.four
+        } else {
+            &self.one
+        };
+        let shaded = shading.shade(pattern, &point(0.5, 0.05), [0.2, 0.1, 0.9]);
+        shaded.expect("a valid point");
+        shading
+    }
+
+    fn call(&self, job: &str, i: u32, shading: &mut Shading) {
+        match job {
+            "ggx" => {
+                let view = black_box([0.215_67, 0.107_83, 0.970_5]);
+                black_box(ggx_conductor(view, normalized(direction(i))));
+            }
+            "shade_empty" => shade(shading, &self.one, &point(0.25, 0.05), i),
+            "shade_one" => shade(shading, &self.one, &point(0.5, 0.05), i),
+            "shade_four" => shade(shading, &self.four, &point(0.5, 0.05), i),
+            "eval" | "eval_four" => {
+                black_box(black_box(&*shading).eval(direction(i), Output::BrdfCos));
+            }
+            "eval_pdf" => {
+                black_box(black_box(&*shading).eval_pdf(direction(i)));
+            }
+            "sample" => {
+                black_box(black_box(&*shading).sample(number(i)));
+            }
+            "eval_many" => {
+                let tell = |_, rgb| drop(black_box(rgb));
+                let lights = vectors(&self.lights);
+                let told = black_box(&*shading).eval_many(&lights, MANY, Output::BrdfCos, tell);
+                told.expect("arrays long enough");
+            }
+            "sample_many" => {
+                let tell = |_, sample| drop(black_box(sample));
+                let told = black_box(&*shading).sample_many(&vectors(&self.numbers), MANY, tell);
+                told.expect("arrays long enough");
+            }
+            _ => panic!("{job} is no job"),
+        }
+    }
+}
+
+fn vectors([x, y, z]: &[Vec<f32>; 3]) -> Vectors<'_> {
+    Vectors { x, y, z, stride: 1 }
+}
+
+fn shade(shading: &mut Shading, pattern: &Pattern, point: &SurfacePoint, i: u32) {
+    let shaded = shading.shade(pattern, black_box(point), direction(i));
+    shaded.expect("a valid point");
+    black_box(shading);
 }
 
 /// Scratches that run along v at these u, and one far away.
@@ -71,65 +249,20 @@ fn point(u: f64, radius_mm: f32) -> SurfacePoint {
     }
 }
 
-fn fastest_ns(mut calls: impl FnMut()) -> f64 {
-    let mut best = f64::INFINITY;
-    for _ in 0..REPETITIONS {
-        let begun = Instant::now();
-        calls();
-        best = best.min(begun.elapsed().as_secs_f64());
-    }
-    best * 1e9 / f64::from(CALLS)
-}
-
 /// Directions that no branch predictor learns.
 fn direction(number: u32) -> [f32; 3] {
     let share = |step: f32| (number as f32 * step).fract() - 0.5;
     [share(0.754_877_7), share(0.569_840_3), 0.6]
 }
 
-fn shade_ns(pattern: &Pattern, point: &SurfacePoint) -> f64 {
-    let mut shading = Shading::default();
-    fastest_ns(|| {
-        for i in 0..CALLS {
-            let shaded = shading.shade(pattern, black_box(point), direction(i));
-            shaded.expect("a valid point");
-            black_box(&shading);
-        }
-    })
-}
-
-fn eval_ns(pattern: &Pattern, point: &SurfacePoint) -> f64 {
-    let mut shading = Shading::default();
-    shading
-        .shade(pattern, point, [0.2, 0.1, 0.9])
-        .expect("a valid point");
-    fastest_ns(|| {
-        for i in 0..CALLS {
-            black_box(black_box(&shading).eval(direction(i), Output::BrdfCos));
-        }
-    })
+/// Numbers spread over the unit cube.
+fn number(i: u32) -> [f32; 3] {
+    let [x, y, _] = direction(i);
+    [x + 0.5, y + 0.5, (i as f32 * 0.367_879).fract()]
 }
 
 /// One evaluation of GGX with height-correlated masking and a conductor's Fresnel reflectance per channel, as any
 /// renderer has it.
-fn ggx_ns() -> f64 {
-    let view = normalized([0.2, 0.1, 0.9]);
-    fastest_ns(|| {
-        for i in 0..CALLS {
-            black_box(ggx_conductor(black_box(view), normalized(direction(i))));
-        }
-    })
-}
-
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn normalized(v: [f32; 3]) -> [f32; 3] {
-    let by = 1.0 / dot(v, v).sqrt();
-    v.map(|x| x * by)
-}
-
 fn ggx_conductor(view: [f32; 3], light: [f32; 3]) -> [f32; 3] {
     let (alpha, eta, k) = (0.2_f32, [2.911, 2.950, 2.584], [3.089, 2.932, 2.767]);
     let (n_l, n_v) = (light[2], view[2]);
@@ -157,4 +290,13 @@ fn conductor(cos: f32, eta: f32, k: f32) -> f32 {
     let rs = (t1 - t2) / (t1 + t2);
     let (t3, t4) = (cos2 * a2b2 + sin2 * sin2, t2 * sin2);
     0.5 * rs * (1.0 + (t3 - t4) / (t3 + t4))
+}
+
+fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn normalized(v: [f32; 3]) -> [f32; 3] {
+    let by = 1.0 / dot(v, v).sqrt();
+    v.map(|x| x * by)
 }
