@@ -13,7 +13,7 @@ use std::hint::black_box;
 use striae::brdf::{Lobe, Metal};
 use striae::formation::{Layer, Material, Tool};
 use striae::pattern::{Footprint, Frame, Key, Path, Pattern, Scratch, ScratchHit, SurfacePoint};
-use striae::scattering::{Bounces, CrossFootprint, Output, SeenZone, Shading};
+use striae::scattering::{Bounces, CrossFootprint, Output, SeenZone, Shading, Vectors};
 use support::crowd::add;
 use support::{SHEET_MM, direction, ggx, sheet_of};
 
@@ -143,6 +143,17 @@ fn sampled(shading: &Shading, light: [f32; 3]) -> f32 {
         sum += shading
             .sample([0.3, 0.6, 0.9])
             .map_or(0.0, |sample| sample.pdf);
+        let [x, y, z] = light.map(|component| [component; 9]);
+        let many = Vectors {
+            x: &x,
+            y: &y,
+            z: &z,
+            stride: 1,
+        };
+        let evaluated = shading.eval_pdf_many(&many, 9, |_, one| sum += one.pdf);
+        let chosen = shading.sample_many(&many, 9, |_, one| sum += one.map_or(0.0, |one| one.pdf));
+        let refused = shading.eval_many(&many, 10, Output::Brdf, |_, rgb| sum += rgb[0]);
+        assert!(evaluated.is_ok() && chosen.is_ok() && refused.is_err());
     }
     sum + shading.eval(light, Output::Brdf)[0] + shading.roughness()
 }

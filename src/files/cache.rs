@@ -7,6 +7,7 @@ use super::error::{FileError, Place, Result};
 use super::map::map;
 use super::read::unreadable;
 use crate::brdf::Hosted;
+use crate::lanes;
 use crate::pattern::{FACTS, Pattern, SECTIONS, Section, Sections};
 use bytemuck::{Pod, Zeroable, bytes_of, cast_slice, pod_read_unaligned};
 use core::ops::Range;
@@ -97,6 +98,8 @@ impl Pattern {
     /// Errors: those of [`Self::open_cache`]; more of them or fewer than the pattern has.
     pub fn open_cache_with(path: impl AsRef<Path>, hosts: &[Hosted]) -> Result<Self> {
         let path = path.as_ref();
+        // What the processor has is found out here, not while shading.
+        lanes::level();
         let opened = || {
             let opened = open(path)?;
             opened.check_hosts(hosts)?;

@@ -11,6 +11,7 @@ use super::scratch::{Held, Key};
 use super::track::{Ground, Track, check_keys};
 use crate::error::{Error, Result, in_range};
 use crate::formation::{HardnessMap, Material};
+use crate::lanes;
 use crate::single;
 use glam::DVec2;
 use rayon::prelude::*;
@@ -74,6 +75,8 @@ impl PatternBuilder {
             in_range("units_per_uv", units, 1e-9, 1e9)?;
         }
         material.check()?;
+        // What the processor has is found out here, not while shading.
+        lanes::level();
         let mut hosts = Hosts::default();
         hosts.admit_one(material.surface);
         hosts.admit(&material);
