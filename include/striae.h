@@ -14,6 +14,10 @@
  *     striae_frame(), striae_frame_to_local()    per shading point: directions in the surface's own frame
  *     striae_shade()                             per shading point and view
  *     striae_eval()                              per light: BRDF times cosine
+ *     striae_sample()                            path tracers, per bounce: a light, its weight and density; for lights
+ *     striae_eval_pdf(), _pdf_reverse()          chosen by others, BRDF times cosine and density, forwards and back
+ *     striae_set_bounces()                       per shading point, if light is to go from wall to wall of a groove
+ *     striae_zones(), striae_parameters()        what the point is made of; one lobe in place of all
  *     striae_pattern_query()                     which scratches are there, for masks and labels
  *
  *     striae_pattern_release(), striae_tool_release()
@@ -1268,15 +1272,16 @@ typedef struct StriaeHitCount {
  */
 typedef struct StriaeSample {
   /**
-   * Unit direction to the light.
+   * Unit direction to the light, away from the surface and above it.
    */
   float light[3];
   /**
-   * Density of the choice, per steradian; 0 if no light was chosen, which counts as black.
+   * Density of the choice, per steradian, by whichever zone the light might have been chosen: that of striae_pdf(). Always
+   * finite. 0 if no light was chosen, which counts as black; then all else is 0, too.
    */
   float pdf;
   /**
-   * BRDF times cosine over `pdf`: what light from there counts, linear RGB.
+   * BRDF times cosine over `pdf`: what light from there counts, linear RGB. With STRIAE_BOUNCES_ALL so on average only.
    */
   float weight[3];
   /**
@@ -1290,7 +1295,7 @@ typedef struct StriaeSample {
  */
 typedef struct StriaeEvaluated {
   /**
-   * BRDF times cosine, linear RGB.
+   * BRDF times cosine, linear RGB, as striae_eval() without flags.
    */
   float f[3];
   /**
@@ -1440,7 +1445,8 @@ uint32_t striae_version(void);
 /**
  * The text of this thread's last failed call: which argument, what was given, what is accepted. UTF-8, cut after 511
  * bytes, never NULL, empty before the first failure. The library's own: valid until this thread fails again or ends. Calls
- * that succeed leave it as it is. Allocates nothing.
+ * that succeed leave it as it is. Allocates nothing; but where a library was opened at run time (dlopen), the system
+ * may have to make room for a thread's first text when its first call fails.
  */
 const char *striae_last_error(void);
 
@@ -2020,7 +2026,8 @@ enum StriaeStatus striae_frame_to_world(const struct StriaeFrame *frame,
  * A point that is refused leaves a shading that can be used all the same, so that a render goes on: a view that
  * is no direction reflects nothing; a bad normal, uv or derivative gives the unscratched surface; a
  * footprint of zero, infinite or NaN size counts as a point. Only with a NULL argument is nothing written.
- * A view below the surface is no error: it reflects nothing.
+ * A view below the surface is no error: it reflects nothing. Where a surface is to be seen from both sides, turn its normal
+ * to the viewer's side.
  *
  * @param pattern the pattern
  * @param point the point
@@ -2065,12 +2072,12 @@ enum StriaeStatus striae_pattern_query(const struct StriaePattern *pattern,
                                        struct StriaeHitCount *count);
 
 /**
- * Says how far a prepared point's light is followed; striae_shade() sets it back to STRIAE_BOUNCES_ONE. Any number of
- * threads at once, each with a shading of its own.
+ * Says how far a prepared point's light is followed; striae_shade() sets it back to STRIAE_BOUNCES_ONE. Never allocates,
+ * locks or blocks; any number of threads at once, each with a shading of its own.
  *
  * With all bounces striae_sample() walks through the cross-section, without bias, and striae_eval() adds what zones reflect to
  * one another as if they scattered it evenly: exact for Lambertian zones, about for glossy ones. The density stays that of
- * one bounce, which is all that multiple importance sampling needs.
+ * one bounce, which is all that multiple importance sampling needs. To evaluate then takes several times as long.
  *
  * @param shading filled in by striae_shade()
  * @param bounces STRIAE_BOUNCES_ONE or STRIAE_BOUNCES_ALL
@@ -2082,18 +2089,27 @@ enum StriaeStatus striae_set_bounces(struct StriaeShading *shading,
  * Chooses a light for the view, about as often as it is reflected. Never allocates, locks or blocks; any number of
  * threads at once.
  *
+ * No light is chosen where the view is below the surface, and now and then elsewhere: that light is absorbed, and to sample
+ * again instead would gain light. No lobe is so sharp that it has no density, so multiple importance sampling knows no
+ * special case:
+ *
  * @code{.c}
  * StriaeSample sample;
- * striae_sample(&shading, (float[3]){next(), next(), next()}, &sample);
+ * striae_sample_world(&shading, &frame, (float[3]){next(), next(), next()}, &sample);
  * if (sample.pdf > 0.0f) {
- *   const Radiance from = radiance(point, to_world(sample.light));
- *   for (int c = 0; c < 3; c++) sum[c] += sample.weight[c] * from.rgb[c];
+ *   const Hit hit = trace(position, sample.light);
+ *   const float share = sample.pdf / (sample.pdf + lamp_pdf(&hit));
+ *   for (int c = 0; c < 3; c++) sum[c] += share * sample.weight[c] * hit.emitted[c];
  * }
+ * StriaeEvaluated lit;
+ * const Lamp lamp = sample_lamp(position);
+ * striae_eval_pdf_world(&shading, &frame, lamp.direction, &lit);
+ * for (int c = 0; c < 3; c++) sum[c] += lit.f[c] * lamp.emitted[c] / (lamp.pdf + lit.pdf);
  * @endcode
  *
  * @param shading filled in by striae_shade()
- * @param u three numbers from 0 up to (not including) 1: the first chooses a zone, as often as the viewer sees it, the
- *     others a direction, as often as the zone's base BRDF reflects it
+ * @param u three numbers from 0 up to (not including) 1, others count as the nearest of them: the first chooses a zone, as
+ *     often as the viewer sees it, the others a direction, as often as the zone's base BRDF reflects it
  * @param sample receives the light, in the local frame; a pdf of 0 if there is none
  */
 enum StriaeStatus striae_sample(const struct StriaeShading *shading,
@@ -2105,7 +2121,7 @@ enum StriaeStatus striae_sample(const struct StriaeShading *shading,
  *
  * @param shading filled in by striae_shade()
  * @param frame the point's, from striae_frame()
- * @param u three numbers from 0 up to (not including) 1
+ * @param u as for striae_sample()
  * @param sample receives the light, in the renderer's frame; a pdf of 0 if there is none
  */
 enum StriaeStatus striae_sample_world(const struct StriaeShading *shading,
@@ -2118,7 +2134,8 @@ enum StriaeStatus striae_sample_world(const struct StriaeShading *shading,
  *
  * @param shading filled in by striae_shade()
  * @param light direction to the light in the local frame, of any length above 0
- * @param pdf receives it, per steradian: 0 from below the surface, elsewhere it adds up to 1
+ * @param pdf receives it, per steradian: 0 from below the surface or with no direction (NaN, zero); elsewhere it adds up to
+ *     1, or with base BRDFs of the host's own to the share of samples that choose a light
  */
 enum StriaeStatus striae_pdf(const struct StriaeShading *shading,
                              const float light[3],
@@ -2179,8 +2196,8 @@ enum StriaeStatus striae_zones(const struct StriaeShading *shading,
                                size_t *count);
 
 /**
- * A zone's base BRDF, as the material had it but for rounding; of the host's own its table. Never allocates, locks or blocks; any number of threads at
- * once.
+ * A zone's base BRDF, as the material had it but for rounding; of the host's own its table. Never allocates, locks or
+ * blocks; any number of threads at once.
  *
  * @param shading filled in by striae_shade()
  * @param number a zone's `brdf`; 0 is the flat surface's

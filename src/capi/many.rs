@@ -326,7 +326,7 @@ pub unsafe extern "C" fn striae_sample_many(
         };
         points.each(|shading, u, first, own| {
             shading.sample_many(&u, own, |i, sample| {
-                let sample = sample.map_or(StriaeSample::NONE, Into::into);
+                let sample = StriaeSample::from(sample);
                 // SAFETY: less than count, as the header asks.
                 unsafe {
                     lights.set(first + i, sample.light);

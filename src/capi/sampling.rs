@@ -1,10 +1,10 @@
 //! Choosing lights, for C.
 
 use super::handle::{borrowed, exclusive};
-use super::shading::{StriaeFrame, StriaeShading};
+use super::shading::{StriaeFrame, StriaeShading, ask, vector};
 use super::status::{StriaeStatus, guard};
 use crate::brdf::Lobe;
-use crate::error::{Error, Result};
+use crate::error::Error;
 use crate::pattern::Frame;
 use crate::scattering::{Bounces, Evaluated, Sample, Shading};
 use glam::Vec3;
@@ -29,11 +29,12 @@ pub const STRIAE_LOBE_SCRATCH: u32 = 16;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeSample {
-    /// Unit direction to the light.
+    /// Unit direction to the light, away from the surface and above it.
     pub light: [f32; 3],
-    /// Density of the choice, per steradian; 0 if no light was chosen, which counts as black.
+    /// Density of the choice, per steradian, by whichever zone the light might have been chosen: that of striae_pdf(). Always
+    /// finite. 0 if no light was chosen, which counts as black; then all else is 0, too.
     pub pdf: f32,
-    /// BRDF times cosine over `pdf`: what light from there counts, linear RGB.
+    /// BRDF times cosine over `pdf`: what light from there counts, linear RGB. With STRIAE_BOUNCES_ALL so on average only.
     pub weight: [f32; 3],
     /// STRIAE_LOBE flags of the zone that was chosen.
     pub lobe: u32,
@@ -43,23 +44,22 @@ pub struct StriaeSample {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct StriaeEvaluated {
-    /// BRDF times cosine, linear RGB.
+    /// BRDF times cosine, linear RGB, as striae_eval() without flags.
     pub f: [f32; 3],
     /// Density with which striae_sample() chooses the light, per steradian.
     pub pdf: f32,
 }
 
-impl StriaeSample {
-    pub(super) const NONE: Self = Self {
-        light: [0.0; 3],
-        pdf: 0.0,
-        weight: [0.0; 3],
-        lobe: 0,
-    };
-}
-
-impl From<Sample> for StriaeSample {
-    fn from(sample: Sample) -> Self {
+impl From<Option<Sample>> for StriaeSample {
+    fn from(sample: Option<Sample>) -> Self {
+        let Some(sample) = sample else {
+            return Self {
+                light: [0.0; 3],
+                pdf: 0.0,
+                weight: [0.0; 3],
+                lobe: 0,
+            };
+        };
         let scratch = if sample.scratch {
             STRIAE_LOBE_SCRATCH
         } else {
@@ -92,30 +92,12 @@ pub(super) fn flags(lobe: Lobe) -> u32 {
         }
 }
 
-/// A prepared point.
-///
-/// # Safety
-/// `shading` is NULL or was written by striae_shade().
-pub(super) unsafe fn prepared<'a>(shading: *const StriaeShading) -> Result<&'a Shading> {
-    // SAFETY: as promised by the caller; a Shading fits (asserted beside StriaeShading).
-    unsafe { borrowed("shading", shading.cast::<Shading>()) }
-}
-
-/// A direction.
-///
-/// # Safety
-/// `vector` is NULL or points to three numbers.
-pub(super) unsafe fn vector(name: &'static str, vector: *const f32) -> Result<[f32; 3]> {
-    // SAFETY: as promised by the caller.
-    unsafe { borrowed(name, vector.cast::<[f32; 3]>()) }.copied()
-}
-
-/// Says how far a prepared point's light is followed; striae_shade() sets it back to STRIAE_BOUNCES_ONE. Any number of
-/// threads at once, each with a shading of its own.
+/// Says how far a prepared point's light is followed; striae_shade() sets it back to STRIAE_BOUNCES_ONE. Never allocates,
+/// locks or blocks; any number of threads at once, each with a shading of its own.
 ///
 /// With all bounces striae_sample() walks through the cross-section, without bias, and striae_eval() adds what zones reflect to
 /// one another as if they scattered it evenly: exact for Lambertian zones, about for glossy ones. The density stays that of
-/// one bounce, which is all that multiple importance sampling needs.
+/// one bounce, which is all that multiple importance sampling needs. To evaluate then takes several times as long.
 ///
 /// @param shading filled in by striae_shade()
 /// @param bounces STRIAE_BOUNCES_ONE or STRIAE_BOUNCES_ALL
@@ -143,18 +125,27 @@ pub unsafe extern "C" fn striae_set_bounces(
 /// Chooses a light for the view, about as often as it is reflected. Never allocates, locks or blocks; any number of
 /// threads at once.
 ///
+/// No light is chosen where the view is below the surface, and now and then elsewhere: that light is absorbed, and to sample
+/// again instead would gain light. No lobe is so sharp that it has no density, so multiple importance sampling knows no
+/// special case:
+///
 /// @code{.c}
 /// StriaeSample sample;
-/// striae_sample(&shading, (float[3]){next(), next(), next()}, &sample);
+/// striae_sample_world(&shading, &frame, (float[3]){next(), next(), next()}, &sample);
 /// if (sample.pdf > 0.0f) {
-///   const Radiance from = radiance(point, to_world(sample.light));
-///   for (int c = 0; c < 3; c++) sum[c] += sample.weight[c] * from.rgb[c];
+///   const Hit hit = trace(position, sample.light);
+///   const float share = sample.pdf / (sample.pdf + lamp_pdf(&hit));
+///   for (int c = 0; c < 3; c++) sum[c] += share * sample.weight[c] * hit.emitted[c];
 /// }
+/// StriaeEvaluated lit;
+/// const Lamp lamp = sample_lamp(position);
+/// striae_eval_pdf_world(&shading, &frame, lamp.direction, &lit);
+/// for (int c = 0; c < 3; c++) sum[c] += lit.f[c] * lamp.emitted[c] / (lamp.pdf + lit.pdf);
 /// @endcode
 ///
 /// @param shading filled in by striae_shade()
-/// @param u three numbers from 0 up to (not including) 1: the first chooses a zone, as often as the viewer sees it, the
-///     others a direction, as often as the zone's base BRDF reflects it
+/// @param u three numbers from 0 up to (not including) 1, others count as the nearest of them: the first chooses a zone, as
+///     often as the viewer sees it, the others a direction, as often as the zone's base BRDF reflects it
 /// @param sample receives the light, in the local frame; a pdf of 0 if there is none
 /// cbindgen:ptrs-as-arrays=[[u;3]]
 #[unsafe(no_mangle)]
@@ -163,25 +154,19 @@ pub unsafe extern "C" fn striae_sample(
     u: *const f32,
     sample: *mut StriaeSample,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, u, sample) = unsafe {
-            (
-                prepared(shading)?,
-                vector("u", u)?,
-                exclusive("sample", sample)?,
-            )
-        };
-        *sample = shading.sample(u).map_or(StriaeSample::NONE, Into::into);
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("sample", sample), |shading| {
+            Ok(shading.sample(vector("u", u)?).into())
+        })
+    }
 }
 
 /// As striae_sample(), with the light in the renderer's frame.
 ///
 /// @param shading filled in by striae_shade()
 /// @param frame the point's, from striae_frame()
-/// @param u three numbers from 0 up to (not including) 1
+/// @param u as for striae_sample()
 /// @param sample receives the light, in the renderer's frame; a pdf of 0 if there is none
 /// cbindgen:ptrs-as-arrays=[[u;3]]
 #[unsafe(no_mangle)]
@@ -191,28 +176,23 @@ pub unsafe extern "C" fn striae_sample_world(
     u: *const f32,
     sample: *mut StriaeSample,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, frame, u, sample) = unsafe {
-            (
-                prepared(shading)?,
-                borrowed("frame", frame)?,
-                vector("u", u)?,
-                exclusive("sample", sample)?,
-            )
-        };
-        *sample = shading.sample(u).map_or(StriaeSample::NONE, Into::into);
-        let world = Frame::from(frame).to_world(Vec3::from(sample.light));
-        sample.light = world.to_array();
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("sample", sample), |shading| {
+            let frame = Frame::from(borrowed("frame", frame)?);
+            let chosen = StriaeSample::from(shading.sample(vector("u", u)?));
+            let light = frame.to_world(Vec3::from(chosen.light)).to_array();
+            Ok(StriaeSample { light, ..chosen })
+        })
+    }
 }
 
 /// The density with which striae_sample() chooses a light. Never allocates, locks or blocks; any number of threads at once.
 ///
 /// @param shading filled in by striae_shade()
 /// @param light direction to the light in the local frame, of any length above 0
-/// @param pdf receives it, per steradian: 0 from below the surface, elsewhere it adds up to 1
+/// @param pdf receives it, per steradian: 0 from below the surface or with no direction (NaN, zero); elsewhere it adds up to
+///     1, or with base BRDFs of the host's own to the share of samples that choose a light
 /// cbindgen:ptrs-as-arrays=[[light;3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_pdf(
@@ -220,18 +200,12 @@ pub unsafe extern "C" fn striae_pdf(
     light: *const f32,
     pdf: *mut f32,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, light, pdf) = unsafe {
-            (
-                prepared(shading)?,
-                vector("light", light)?,
-                exclusive("pdf", pdf)?,
-            )
-        };
-        *pdf = shading.pdf(light);
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("pdf", pdf), |shading| {
+            Ok(shading.pdf(vector("light", light)?))
+        })
+    }
 }
 
 /// The density with which the view would be chosen were the light the view: what striae_pdf() says of the view once the point
@@ -247,18 +221,12 @@ pub unsafe extern "C" fn striae_pdf_reverse(
     light: *const f32,
     pdf: *mut f32,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, light, pdf) = unsafe {
-            (
-                prepared(shading)?,
-                vector("light", light)?,
-                exclusive("pdf", pdf)?,
-            )
-        };
-        *pdf = shading.pdf_reverse(light);
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("pdf", pdf), |shading| {
+            Ok(shading.pdf_reverse(vector("light", light)?))
+        })
+    }
 }
 
 /// striae_eval() and striae_pdf() in one, for little more than one costs. Never allocates, locks or blocks; any number of
@@ -274,18 +242,12 @@ pub unsafe extern "C" fn striae_eval_pdf(
     light: *const f32,
     evaluated: *mut StriaeEvaluated,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, light, evaluated) = unsafe {
-            (
-                prepared(shading)?,
-                vector("light", light)?,
-                exclusive("evaluated", evaluated)?,
-            )
-        };
-        *evaluated = shading.eval_pdf(light).into();
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("evaluated", evaluated), |shading| {
+            Ok(shading.eval_pdf(vector("light", light)?).into())
+        })
+    }
 }
 
 /// As striae_eval_pdf(), with the light in the renderer's frame.
@@ -302,18 +264,12 @@ pub unsafe extern "C" fn striae_eval_pdf_world(
     light: *const f32,
     evaluated: *mut StriaeEvaluated,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, frame, light, evaluated) = unsafe {
-            (
-                prepared(shading)?,
-                borrowed("frame", frame)?,
-                vector("light", light)?,
-                exclusive("evaluated", evaluated)?,
-            )
-        };
-        let local = Frame::from(frame).to_local(Vec3::from(light));
-        *evaluated = shading.eval_pdf(local.to_array()).into();
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("evaluated", evaluated), |shading| {
+            let frame = Frame::from(borrowed("frame", frame)?);
+            let light = frame.to_local(Vec3::from(vector("light", light)?));
+            Ok(shading.eval_pdf(light.to_array()).into())
+        })
+    }
 }

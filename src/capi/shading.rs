@@ -130,6 +130,42 @@ impl From<&StriaeFrame> for Frame {
     }
 }
 
+/// A prepared point.
+///
+/// # Safety
+/// `shading` is NULL or was written by striae_shade().
+pub(super) unsafe fn prepared<'a>(shading: *const StriaeShading) -> Result<&'a Shading> {
+    // SAFETY: as promised by the caller; a Shading fits (asserted above).
+    unsafe { borrowed("shading", shading.cast::<Shading>()) }
+}
+
+/// A direction, or numbers that choose one.
+///
+/// # Safety
+/// `vector` is NULL or points to three numbers.
+pub(super) unsafe fn vector(name: &'static str, vector: *const f32) -> Result<[f32; 3]> {
+    // SAFETY: as promised by the caller.
+    unsafe { borrowed(name, vector.cast::<[f32; 3]>()) }.copied()
+}
+
+/// Asks a prepared point a question, and writes the answer.
+///
+/// # Safety
+/// `shading` is NULL or was written by striae_shade(); `out` is NULL or writable.
+pub(super) unsafe fn ask<T>(
+    shading: *const StriaeShading,
+    (name, out): (&'static str, *mut T),
+    question: impl FnOnce(&Shading) -> Result<T>,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: as promised by the caller.
+        let answer = question(unsafe { prepared(shading)? })?;
+        // SAFETY: the same.
+        *unsafe { exclusive(name, out)? } = answer;
+        Ok(())
+    })
+}
+
 /// A point's local frame, in which `view` and `light` are given. Allocates nothing.
 ///
 /// @param point its normal and dp_du count. Without a usable dp_du (zero, or along the normal) x is any tangent.
@@ -212,7 +248,8 @@ pub unsafe extern "C" fn striae_frame_to_world(
 /// A point that is refused leaves a shading that can be used all the same, so that a render goes on: a view that
 /// is no direction reflects nothing; a bad normal, uv or derivative gives the unscratched surface; a
 /// footprint of zero, infinite or NaN size counts as a point. Only with a NULL argument is nothing written.
-/// A view below the surface is no error: it reflects nothing.
+/// A view below the surface is no error: it reflects nothing. Where a surface is to be seen from both sides, turn its normal
+/// to the viewer's side.
 ///
 /// @param pattern the pattern
 /// @param point the point
@@ -258,18 +295,13 @@ pub unsafe extern "C" fn striae_eval(
     flags: u32,
     f: *mut f32,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks; the shading was written by striae_shade().
-        let (shading, light, f) = unsafe {
-            (
-                borrowed("shading", shading.cast::<Shading>())?,
-                *borrowed("light", light.cast::<[f32; 3]>())?,
-                exclusive("f", f.cast::<[f32; 3]>())?,
-            )
-        };
-        *f = shading.eval(light, output(flags)?);
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("f", f.cast::<[f32; 3]>()), |shading| {
+            let light = vector("light", light)?;
+            Ok(shading.eval(light, output(flags)?))
+        })
+    }
 }
 
 pub(super) fn output(flags: u32) -> Result<Output> {

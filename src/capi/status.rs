@@ -109,7 +109,8 @@ pub extern "C" fn striae_version() -> u32 {
 
 /// The text of this thread's last failed call: which argument, what was given, what is accepted. UTF-8, cut after 511
 /// bytes, never NULL, empty before the first failure. The library's own: valid until this thread fails again or ends. Calls
-/// that succeed leave it as it is. Allocates nothing.
+/// that succeed leave it as it is. Allocates nothing; but where a library was opened at run time (dlopen), the system
+/// may have to make room for a thread's first text when its first call fails.
 #[unsafe(no_mangle)]
 pub extern "C" fn striae_last_error() -> *const c_char {
     LAST_ERROR.with(|text| text.borrow().bytes.as_ptr().cast())

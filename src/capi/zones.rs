@@ -3,8 +3,8 @@
 
 use super::brdf::StriaeBrdf;
 use super::handle::{exclusive, exclusive_array};
-use super::sampling::{STRIAE_LOBE_SCRATCH, flags, prepared, vector};
-use super::shading::StriaeShading;
+use super::sampling::{STRIAE_LOBE_SCRATCH, flags};
+use super::shading::{StriaeShading, ask, prepared, vector};
 use super::status::{StriaeStatus, guard};
 use crate::brdf::Lobe;
 use crate::error::Error;
@@ -97,8 +97,8 @@ pub unsafe extern "C" fn striae_zones(
     })
 }
 
-/// A zone's base BRDF, as the material had it but for rounding; of the host's own its table. Never allocates, locks or blocks; any number of threads at
-/// once.
+/// A zone's base BRDF, as the material had it but for rounding; of the host's own its table. Never allocates, locks or
+/// blocks; any number of threads at once.
 ///
 /// @param shading filled in by striae_shade()
 /// @param number a zone's `brdf`; 0 is the flat surface's
@@ -109,16 +109,14 @@ pub unsafe extern "C" fn striae_zone_brdf(
     number: u32,
     brdf: *mut StriaeBrdf,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, brdf) = unsafe { (prepared(shading)?, exclusive("brdf", brdf)?) };
-        let Some(found) = shading.zone_brdf(number) else {
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("brdf", brdf), |shading| {
             let accepted = "the number that a zone of this shading has";
-            return Err(Error::number("number", f64::from(number), accepted));
-        };
-        *brdf = found.into();
-        Ok(())
-    })
+            let unknown = Error::number("number", f64::from(number), accepted);
+            Ok(shading.zone_brdf(number).ok_or(unknown)?.into())
+        })
+    }
 }
 
 /// The scratches as a single lobe, for materials that take no other: mix it with the surface's by its coverage. Never
@@ -131,17 +129,13 @@ pub unsafe extern "C" fn striae_parameters(
     shading: *const StriaeShading,
     parameters: *mut StriaeParameters,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks; Parameters have the same layout (asserted above).
-        let (shading, parameters) = unsafe {
-            (
-                prepared(shading)?,
-                exclusive("parameters", parameters.cast::<Parameters>())?,
-            )
-        };
-        *parameters = shading.parameters();
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks; Parameters have the same layout (asserted above).
+    unsafe {
+        let parameters = parameters.cast::<Parameters>();
+        ask(shading, ("parameters", parameters), |shading| {
+            Ok(shading.parameters())
+        })
+    }
 }
 
 /// How rough the point is, scratches and surface together. Never allocates, locks or blocks; any number of threads at once.
@@ -153,13 +147,12 @@ pub unsafe extern "C" fn striae_roughness(
     shading: *const StriaeShading,
     roughness: *mut f32,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, roughness) =
-            unsafe { (prepared(shading)?, exclusive("roughness", roughness)?) };
-        *roughness = shading.roughness();
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("roughness", roughness), |shading| {
+            Ok(shading.roughness())
+        })
+    }
 }
 
 /// An estimate of the share of light that the point reflects towards the view: the mean of 128 samples, within about 0.05. It
@@ -173,17 +166,12 @@ pub unsafe extern "C" fn striae_albedo(
     shading: *const StriaeShading,
     albedo: *mut f32,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, albedo) = unsafe {
-            (
-                prepared(shading)?,
-                exclusive("albedo", albedo.cast::<[f32; 3]>())?,
-            )
-        };
-        *albedo = shading.albedo();
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("albedo", albedo.cast::<[f32; 3]>()), |shading| {
+            Ok(shading.albedo())
+        })
+    }
 }
 
 /// Which lobes the viewer sees, before one is chosen. Never allocates, locks or blocks; any number of threads at once.
@@ -195,14 +183,14 @@ pub unsafe extern "C" fn striae_lobes(
     shading: *const StriaeShading,
     lobes: *mut u32,
 ) -> StriaeStatus {
-    guard(|| {
-        // SAFETY: each is NULL or valid, as the header asks.
-        let (shading, lobes) = unsafe { (prepared(shading)?, exclusive("lobes", lobes)?) };
-        let kinds = [Lobe::Diffuse, Lobe::Glossy, Lobe::Sharp];
-        let seen = kinds.into_iter().filter(|lobe| shading.has_lobe(*lobe));
-        let all = seen.fold(0, |all, lobe| all | flags(lobe));
-        let scratch = all != 0 && shading.coverage() > 0.0;
-        *lobes = all | if scratch { STRIAE_LOBE_SCRATCH } else { 0 };
-        Ok(())
-    })
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("lobes", lobes), |shading| {
+            let kinds = [Lobe::Diffuse, Lobe::Glossy, Lobe::Sharp];
+            let seen = kinds.into_iter().filter(|lobe| shading.has_lobe(*lobe));
+            let all = seen.fold(0, |all, lobe| all | flags(lobe));
+            let scratch = all != 0 && shading.coverage() > 0.0;
+            Ok(all | if scratch { STRIAE_LOBE_SCRATCH } else { 0 })
+        })
+    }
 }

@@ -1,4 +1,4 @@
-/* The calls that the renderer makes, passed on to a library that was opened at run time. */
+/* The calls that the renderer makes, and all questions to a shading point, passed on to a library that was opened at run time. */
 #include <dlfcn.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -52,6 +52,33 @@ FORWARD(StriaeStatus, striae_pattern_query,
         (const StriaePattern *pattern, const StriaePoint *point, StriaeHit *hits, size_t capacity,
          StriaeHitCount *count),
         (pattern, point, hits, capacity, count))
+FORWARD(StriaeStatus, striae_brdf_host, (const StriaeHostBrdf *host, StriaeBrdf *brdf), (host, brdf))
+FORWARD(StriaeStatus, striae_set_bounces, (StriaeShading * shading, uint32_t bounces), (shading, bounces))
+FORWARD(StriaeStatus, striae_sample, (const StriaeShading *shading, const float u[3], StriaeSample *sample),
+        (shading, u, sample))
+FORWARD(StriaeStatus, striae_sample_world,
+        (const StriaeShading *shading, const StriaeFrame *frame, const float u[3], StriaeSample *sample),
+        (shading, frame, u, sample))
+FORWARD(StriaeStatus, striae_pdf, (const StriaeShading *shading, const float light[3], float *pdf),
+        (shading, light, pdf))
+FORWARD(StriaeStatus, striae_pdf_reverse, (const StriaeShading *shading, const float light[3], float *pdf),
+        (shading, light, pdf))
+FORWARD(StriaeStatus, striae_eval_pdf,
+        (const StriaeShading *shading, const float light[3], StriaeEvaluated *evaluated),
+        (shading, light, evaluated))
+FORWARD(StriaeStatus, striae_eval_pdf_world,
+        (const StriaeShading *shading, const StriaeFrame *frame, const float light[3], StriaeEvaluated *evaluated),
+        (shading, frame, light, evaluated))
+FORWARD(StriaeStatus, striae_zones,
+        (const StriaeShading *shading, const float light[3], StriaeZone *zones, size_t capacity, size_t *count),
+        (shading, light, zones, capacity, count))
+FORWARD(StriaeStatus, striae_zone_brdf, (const StriaeShading *shading, uint32_t number, StriaeBrdf *brdf),
+        (shading, number, brdf))
+FORWARD(StriaeStatus, striae_parameters, (const StriaeShading *shading, StriaeParameters *parameters),
+        (shading, parameters))
+FORWARD(StriaeStatus, striae_roughness, (const StriaeShading *shading, float *roughness), (shading, roughness))
+FORWARD(StriaeStatus, striae_albedo, (const StriaeShading *shading, float albedo[3]), (shading, albedo))
+FORWARD(StriaeStatus, striae_lobes, (const StriaeShading *shading, uint32_t *lobes), (shading, lobes))
 FORWARD_RELEASE(striae_tool_release, const StriaeTool)
 FORWARD_RELEASE(striae_pattern_release, const StriaePattern)
 FORWARD_RELEASE(striae_pattern_builder_free, StriaePatternBuilder)

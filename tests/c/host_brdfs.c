@@ -1,52 +1,17 @@
 /* Base BRDFs of the host's own: three functions that the library calls wherever a zone has them. */
-#include <math.h>
-
+#include "matt_host.h"
 #include "plate_fixture.h"
 
 static const char *const PATH = "host-brdfs-test.striae.cache";
-static const float PI_F = 3.14159265f;
 static const float above[3] = {0.0f, 0.0f, 1.0f}, aside[3] = {0.5f, -0.3f, 0.8f};
 
 static Plate plate;
-
-/* A matt paint; `user` is its albedo. */
-static void matt_eval(void *user, const float *view, const float *light, float *f) {
-    const float *albedo = user;
-    (void)view;
-    for (int c = 0; c < 3; c++) f[c] = albedo[c] * light[2] / PI_F;
-}
-
-static void matt_sample(void *user, const float *u, const float *view, float *light) {
-    const float radius = sqrtf(u[1]), azimuth = 2.0f * PI_F * u[0];
-    (void)user;
-    (void)view;
-    light[0] = radius * cosf(azimuth);
-    light[1] = radius * sinf(azimuth);
-    light[2] = sqrtf(1.0f - u[1]);
-}
-
-static float matt_pdf(void *user, const float *view, const float *light) {
-    (void)user;
-    (void)view;
-    return light[2] > 0.0f ? light[2] / PI_F : 0.0f;
-}
 
 static void no_sample(void *user, const float *u, const float *view, float *light) {
     (void)user, (void)u, (void)view, (void)light;
 }
 
 static float red[3] = {0.8f, 0.2f, 0.1f}, green[3] = {0.1f, 0.7f, 0.3f}, blue[3] = {0.1f, 0.2f, 0.6f};
-
-static StriaeHostBrdf matt(float albedo[3]) {
-    return (StriaeHostBrdf){.struct_size = sizeof(StriaeHostBrdf),
-                            .eval = matt_eval,
-                            .sample = matt_sample,
-                            .pdf = matt_pdf,
-                            .user = albedo,
-                            .lobe = STRIAE_LOBE_DIFFUSE,
-                            .alpha_across = 1.0f,
-                            .alpha_along = 1.0f};
-}
 
 /* A plate painted red, its paint green in section and the ground blue: the library's own, or the host's. */
 static StriaePattern *painted(bool own) {

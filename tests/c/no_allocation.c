@@ -1,17 +1,18 @@
-/* The demo's own shading, over its own plate, allocates nothing: in a thread that has shaded before and in one
-   that has not. Built twice: linked with the library, and with the library opened at run time, where a thread's
+/* The demo's own shading, over its own plate, allocates nothing, and no question to a shading point does: in a thread
+   that has shaded before and in one that has not. Built twice: linked with the library, and with the library opened at run time, where a thread's
    first use of thread-local storage would allocate. */
 #include <pthread.h>
 
 #include "allocation_counter.h"
-#include "expect.h"
+#include "matt_host.h"
+#include "plate_fixture.h"
 #include "shade.h"
 
 #ifdef STRIAE_LIBRARY
 bool dlopened_striae_open(const char *path);
 #endif
 
-enum { WIDTH = 320, HEIGHT = 180 };
+enum { WIDTH = 320, HEIGHT = 180, MOST_ZONES = 64 };
 
 static Stage stage;
 
@@ -67,10 +68,104 @@ static void *shade_view(void *user) {
     return NULL;
 }
 
-static void shade_in_fresh_thread(Shaded *shaded) {
+/* To be refused is an answer too. Where the library was opened at run time, the system makes room for a thread's first text. */
+static size_t refusals(const StriaeShading *shading) {
+#ifdef STRIAE_LIBRARY
+    (void)shading;
+    return 1;
+#else
+    StriaeBrdf brdf;
+    return striae_zone_brdf(shading, 99, &brdf) == STRIAE_STATUS_INVALID_ARGUMENT;
+#endif
+}
+
+/* Every question to a prepared point: how many answers there were, and light among them. */
+static size_t ask(const StriaePoint *point, StriaeShading *shading) {
+    const float aside[3] = {0.5f, -0.3f, 0.8f}, u[3] = {0.3f, 0.6f, 0.9f};
+    StriaeFrame frame;
+    StriaeSample sample, in_world;
+    StriaeEvaluated both, both_in_world;
+    StriaeZone zones[MOST_ZONES];
+    StriaeBrdf brdf;
+    StriaeParameters parameters;
+    float f[3], pdf, reverse, roughness, albedo[3];
+    uint32_t lobes;
+    size_t count, answers = 0;
+    answers += striae_frame(point, &frame) == STRIAE_STATUS_OK;
+    for (uint32_t bounces = STRIAE_BOUNCES_ONE; bounces <= STRIAE_BOUNCES_ALL; bounces++) {
+        answers += striae_set_bounces(shading, bounces) == STRIAE_STATUS_OK;
+        answers += striae_eval(shading, aside, STRIAE_EVAL_BRDF_ONLY, f) == STRIAE_STATUS_OK && f[0] > 0.0f;
+        answers += striae_sample(shading, u, &sample) == STRIAE_STATUS_OK;
+        answers += striae_sample_world(shading, &frame, u, &in_world) == STRIAE_STATUS_OK;
+        answers += striae_eval_pdf(shading, aside, &both) == STRIAE_STATUS_OK && both.pdf > 0.0f;
+        answers += striae_eval_pdf_world(shading, &frame, aside, &both_in_world) == STRIAE_STATUS_OK;
+    }
+    answers += striae_pdf(shading, aside, &pdf) == STRIAE_STATUS_OK && pdf > 0.0f;
+    answers += striae_pdf_reverse(shading, aside, &reverse) == STRIAE_STATUS_OK && reverse > 0.0f;
+    answers += striae_zones(shading, aside, zones, MOST_ZONES, &count) == STRIAE_STATUS_OK && count > 0;
+    answers += striae_zone_brdf(shading, zones[0].brdf, &brdf) == STRIAE_STATUS_OK;
+    answers += striae_parameters(shading, &parameters) == STRIAE_STATUS_OK;
+    answers += striae_roughness(shading, &roughness) == STRIAE_STATUS_OK && roughness > 0.0f;
+    answers += striae_albedo(shading, albedo) == STRIAE_STATUS_OK && albedo[0] > 0.0f;
+    answers += striae_lobes(shading, &lobes) == STRIAE_STATUS_OK && lobes != 0;
+    return answers + refusals(shading);
+}
+
+enum { ANSWERS = 22 };
+
+/* One scratch of the library's own base BRDFs, and one of the host's. */
+static StriaePattern *asked[2];
+
+typedef struct Asked {
+    size_t allocations, points, answers;
+} Asked;
+
+/* Points on the scratch and beside it, from pixels within it to such as hold it whole. */
+static void *ask_everything(void *user) {
+    Asked *sum = user;
+    *sum = (Asked){0, 0, 0};
+    allocation_counter_start();
+    for (int i = 0; i < 60; i++) {
+        const StriaePoint point = plate_point(0.15, 0.5 + 0.0005 * (i % 6), 0.02 * (1 + i % 10));
+        const float view[3] = {0.1f * (float)(i % 7), 0.2f, 1.0f};
+        StriaeShading shading;
+        sum->points += striae_shade(asked[i % 2], &point, view, &shading) == STRIAE_STATUS_OK;
+        sum->answers += ask(&point, &shading);
+    }
+    sum->allocations = allocation_counter_stop();
+    return NULL;
+}
+
+static void in_fresh_thread(void *(*run)(void *), void *user) {
     pthread_t thread;
-    EXPECT(pthread_create(&thread, NULL, shade_view, shaded) == 0);
+    EXPECT(pthread_create(&thread, NULL, run, user) == 0);
     pthread_join(thread, NULL);
+}
+
+static void expect_only_answers(const Asked *sum) {
+    printf("  %zu points, %zu answers, %zu allocations\n", sum->points, sum->answers, sum->allocations);
+    EXPECT(sum->points == 60 && sum->answers == 60 * ANSWERS);
+    EXPECT(sum->allocations == 0);
+}
+
+static void every_question(void) {
+    static float albedo[3] = {0.8f, 0.5f, 0.2f};
+    const StriaeHostBrdf host = matt(albedo);
+    Plate plate;
+    Asked sum = {0, 0, 0};
+    plate_init(&plate);
+    asked[0] = plate_pattern(&plate);
+    EXPECT_OK(striae_brdf_host(&host, &plate.titanium.scratched));
+    plate.titanium.surface = plate.titanium.scratched;
+    asked[1] = plate_pattern(&plate);
+    protects("a fresh thread asks prepared points for all that they can tell without an allocation");
+    in_fresh_thread(ask_everything, &sum);
+    expect_only_answers(&sum);
+    protects("so does the main thread");
+    ask_everything(&sum);
+    expect_only_answers(&sum);
+    for (int i = 0; i < 2; i++) striae_pattern_release(asked[i]);
+    striae_tool_release(plate.tool);
 }
 
 static void expect_no_allocation(const Shaded *shaded) {
@@ -90,6 +185,7 @@ int main(void) {
     if (!EXPECT(dlopened_striae_open(STRIAE_LIBRARY))) return expect_summary();
 #endif
     counter_counts();
+    every_question();
     if (!EXPECT(scene_build(&scene, "plate", error))) return expect_summary();
     Tracer *tracer = tracer_new(&scene, error);
     if (!EXPECT(tracer != NULL)) return expect_summary();
@@ -98,13 +194,13 @@ int main(void) {
     stage.lights = lights_for_view(&scene, &stage.camera);
 
     protects("a fresh thread shades the demo's plate without an allocation");
-    shade_in_fresh_thread(&shaded);
+    in_fresh_thread(shade_view, &shaded);
     expect_no_allocation(&shaded);
     protects("so does the main thread");
     shade_view(&shaded);
     expect_no_allocation(&shaded);
     protects("and a second fresh thread");
-    shade_in_fresh_thread(&shaded);
+    in_fresh_thread(shade_view, &shaded);
     expect_no_allocation(&shaded);
 
     tracer_free(tracer);

@@ -1,10 +1,12 @@
 //! Saved patterns hold no code: it is given again, or they are not opened.
 
 use super::hosts::{Matt, hosted};
+use super::support::sheet_of;
 use super::{both, pattern, point};
 use std::path::PathBuf;
-use striae::brdf::{Brdf, Hosted};
-use striae::pattern::Pattern;
+use striae::brdf::{Brdf, HostBrdf, Hosted, Lobe};
+use striae::formation::{Material, Tool};
+use striae::pattern::{Held, Key, Path, Pattern, Scratch};
 use striae::scattering::{Output, Shading};
 
 /// A file of this test's own, removed in the end.
@@ -102,32 +104,83 @@ fn refused_without() {
     assert!(refused.is_err(), "one too many");
 }
 
-/// A file that names base BRDFs which the pattern does not have gets none of the process's.
+/// What must not be called.
+struct Trap;
+
+impl HostBrdf for Trap {
+    fn eval(&self, _: [f32; 3], _: [f32; 3]) -> [f32; 3] {
+        panic!("evaluated")
+    }
+
+    fn sample(&self, _: [f32; 2], _: [f32; 3]) -> Option<[f32; 3]> {
+        panic!("sampled")
+    }
+
+    fn pdf(&self, _: [f32; 3], _: [f32; 3]) -> f32 {
+        panic!("asked for a density")
+    }
+
+    fn lobe(&self) -> Lobe {
+        Lobe::Glossy
+    }
+
+    fn alphas(&self) -> [f32; 2] {
+        [0.2; 2]
+    }
+}
+
+/// Scratches with cross-sections of their own, so many that their finishes are not checked when the file is opened.
+fn many(own: [Brdf; 3]) -> Pattern {
+    let mut builder = sheet_of(&Material::new(150.0, own[0], own[1]));
+    let tool = Tool::rockwell_c();
+    for i in 0..900 {
+        let v = 0.45 + 1e-4 * f64::from(i);
+        builder
+            .add(&Scratch {
+                path: Path::Polyline(&[[0.4999, v], [0.5001, v]]),
+                keys: &[Key::force(0.0, 1.0)],
+                held: Held::ToSurface,
+                ..Scratch::new(&tool)
+            })
+            .unwrap();
+    }
+    builder.build()
+}
+
+/// A file that names base BRDFs which the pattern does not have is opened where nobody looks at once, and then shows black
+/// zones: it gets none of those that the process knows.
 #[test]
 fn others_are_out_of_reach() {
     let [_, own] = both();
-    let saved = Saved::of(&pattern(own, 0), "damaged");
+    let traps: Vec<Brdf> = (0..100).map(|_| hosted(Trap)).collect();
+    assert!(traps.len() > 77, "one has the number that is damaged to");
+    let built = many(own);
+    let saved = Saved::of(&built, "damaged");
     let mut bytes = std::fs::read(&saved.0).unwrap();
-    // Every finish that is the host's, as the file has it: its kind, its place in the list, its widths.
-    let mut changed = 0;
+    // Each finish of the metal as the file has it: its kind, its place in the list, its widths.
     let words = [7_u32, 1, 0.2_f32.to_bits(), 0.2_f32.to_bits()];
     let finish: Vec<u8> = words.iter().flat_map(|word| word.to_ne_bytes()).collect();
-    for at in 0..bytes.len() - finish.len() {
-        if bytes[at..].starts_with(&finish) {
-            bytes[at + 4..at + 8].copy_from_slice(&77_u32.to_ne_bytes());
-            changed += 1;
-        }
+    let places: Vec<usize> = (0..bytes.len() - finish.len())
+        .step_by(4)
+        .filter(|at| bytes[*at..].starts_with(&finish))
+        .collect();
+    assert!(places.len() >= 900, "finishes lie differently");
+    // The last is the palette's, in a small array, which is checked.
+    for at in &places[..900] {
+        bytes[at + 4..at + 8].copy_from_slice(&77_u32.to_ne_bytes());
     }
-    assert!(changed > 0, "finishes lie differently");
-    // Large arrays are not checked when a file is opened, so it may be damaged after that, too.
     std::fs::remove_file(&saved.0).unwrap();
     std::fs::write(&saved.0, &bytes).unwrap();
-    match Pattern::open_cache_with(&saved.0, &own.map(host)) {
-        Ok(opened) => {
-            for f in shown(&opened) {
-                assert!(f.iter().all(|f| f.is_finite()), "{f:?}");
-            }
-        }
-        Err(error) => assert!(error.to_string().contains("damaged"), "{error}"),
+    let opened = Pattern::open_cache_with(&saved.0, built.hosted()).unwrap();
+    assert!(Pattern::verify_cache(&saved.0).is_err(), "nothing damaged");
+    let whole = shown(&built);
+    for (damaged, whole) in shown(&opened).into_iter().zip(&whole) {
+        assert!(damaged[0] <= whole[0], "{damaged:?}, not {whole:?}");
     }
+    let sum = |shown: &[[f32; 3]]| shown.iter().map(|f| f[0]).sum::<f32>();
+    let (damaged, whole) = (sum(&shown(&opened)), sum(&whole));
+    assert!(
+        damaged < 0.95 * whole,
+        "{damaged} of {whole}: scratches are not black"
+    );
 }
