@@ -8,7 +8,7 @@ use super::status::{StriaeStatus, check_struct_size, guard};
 use super::surface::StriaeSurface;
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
-use crate::formation::Orientation;
+use crate::formation::{Material, Orientation};
 use crate::pattern::{Held, Key, Path, Pattern, PatternBuilder, Scratch, Spline, SplineKind};
 
 /// Kinds of path: what its points mean, and how many there must be.
@@ -164,29 +164,42 @@ pub(super) fn held(number: u32) -> Result<Held> {
     }
 }
 
+/// What of a scratch is not borrowed from its caller.
+struct Own {
+    material: Option<Material>,
+    keys: Vec<Key>,
+}
+
 impl StriaeScratch {
     /// # Safety
     /// The pointers are NULL or valid for what they count.
-    unsafe fn add_to(&self, builder: &mut PatternBuilder) -> Result<()> {
+    unsafe fn own(&self) -> Result<Own> {
         check_struct_size(self.struct_size, size_of::<Self>(), "sizeof(StriaeScratch)")?;
         // SAFETY: as promised by the caller.
-        let (tool, path, keys) = unsafe {
+        let (keys, material) = unsafe {
             (
-                borrowed("tool", self.tool)?,
-                self.path()?,
                 array(["keys", "key_count"], self.keys, self.key_count)?,
+                self.material.as_ref().map(|m| m.checked()).transpose()?,
             )
         };
+        Ok(Own {
+            material,
+            keys: keys.iter().map(Key::from).collect(),
+        })
+    }
+
+    /// # Safety
+    /// The pointers are NULL or valid for what they count.
+    unsafe fn scratch<'a>(&'a self, own: &'a Own) -> Result<Scratch<'a>> {
         // SAFETY: as promised by the caller.
-        let material = unsafe { self.material.as_ref().map(|m| m.checked()).transpose()? };
-        let keys: Vec<Key> = keys.iter().map(Key::from).collect();
-        builder.add(&Scratch {
+        let (tool, path) = unsafe { (borrowed("tool", self.tool)?, self.path()?) };
+        Ok(Scratch {
             tool: &tool.0,
-            material: material.as_ref(),
+            material: own.material.as_ref(),
             depth_law: depth_law(self.depth_law)?,
             held: held(self.held)?,
             path,
-            keys: &keys,
+            keys: &own.keys,
         })
     }
 
@@ -316,7 +329,60 @@ pub unsafe extern "C" fn striae_pattern_builder_add_scratch(
             )
         };
         // SAFETY: the scratch's pointers are NULL or valid, as the header asks.
-        unsafe { scratch.add_to(&mut builder.0) }
+        let own = unsafe { scratch.own()? };
+        // SAFETY: the same.
+        builder.0.add(&unsafe { scratch.scratch(&own)? })
+    })
+}
+
+/// Adds scratches in their order, prepared on all cores: as striae_pattern_builder_add_scratch() for each, but faster for
+/// thousands. If one is refused, the builder is as it was, and the error names its number.
+///
+/// @param builder the builder
+/// @param scratches the scratches, packed
+/// @param count how many
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_builder_add_scratches(
+    builder: *mut StriaePatternBuilder,
+    scratches: *const StriaeScratch,
+    count: usize,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (builder, scratches) = unsafe {
+            (
+                exclusive("builder", builder)?,
+                array(["scratches", "count"], scratches, count)?,
+            )
+        };
+        let numbered = || scratches.iter().enumerate();
+        // SAFETY: the scratches' pointers are NULL or valid, as the header asks.
+        let own =
+            numbered().map(|(i, one)| unsafe { one.own() }.map_err(|e| e.within("scratches", i)));
+        let own: Vec<Own> = own.collect::<Result<_>>()?;
+        let all = numbered().zip(&own).map(|((i, one), own)| {
+            // SAFETY: the same.
+            unsafe { one.scratch(own) }.map_err(|e| e.within("scratches", i))
+        });
+        builder.0.add_all(&all.collect::<Result<Vec<_>>>()?)
+    })
+}
+
+/// How many scratches were added so far, also by the many: the next one's number, which striae_pattern_query() tells.
+///
+/// @param builder the builder
+/// @param count receives it
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_builder_scratch_count(
+    builder: *const StriaePatternBuilder,
+    count: *mut usize,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (builder, count) =
+            unsafe { (borrowed("builder", builder)?, exclusive("count", count)?) };
+        *count = builder.0.scratch_count();
+        Ok(())
     })
 }
 

@@ -131,6 +131,11 @@ impl PatternBuilder {
         })
     }
 
+    /// How many scratches were added so far: the next one's number.
+    pub fn scratch_count(&self) -> usize {
+        self.scratches.len()
+    }
+
     /// Adds scratches, the first of which has this number in what its author states.
     pub(crate) fn add_portion(&mut self, scratches: &[Scratch<'_>], first: usize) -> Result<()> {
         let batches = scratches.par_chunks(BATCH);

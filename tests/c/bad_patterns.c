@@ -138,6 +138,34 @@ static void builder_survives(void) {
     EXPECT_REFUSED(striae_pattern_builder_build(builder, NULL), "pattern", "NULL");
 }
 
+static void many_scratches(void) {
+    protects("scratches added together are all there and numbered; where one is refused, none is, and its number is told");
+    StriaeScratch three[3] = {plate.scratch, plate.scratch, plate.scratch};
+    const double other[2][2] = {{0.5, 0.1}, {0.5, 0.9}};
+    three[1].points_uv = other;
+    three[2].curve = 9u;
+    size_t before = 0, after = 0;
+    EXPECT_OK(striae_pattern_builder_scratch_count(builder, &before));
+    EXPECT_REFUSED(striae_pattern_builder_add_scratches(builder, three, 3), "scratches[2]", "9");
+    EXPECT_OK(striae_pattern_builder_scratch_count(builder, &after));
+    EXPECT(before == after);
+    EXPECT_OK(striae_pattern_builder_add_scratches(builder, three, 2));
+    EXPECT_OK(striae_pattern_builder_scratch_count(builder, &after));
+    EXPECT(after == before + 2);
+    StriaePattern *pattern = NULL;
+    StriaeShading shading;
+    const StriaePoint point = plate_point(0.5, 0.2, 0.5); /* only the second runs here */
+    const float view[3] = {0.0f, 0.0f, 1.0f};
+    EXPECT_OK(striae_pattern_builder_build(builder, &pattern));
+    EXPECT_OK(striae_shade(pattern, &point, view, &shading));
+    EXPECT(shading.scratch_count == 1);
+    striae_pattern_release(pattern);
+    EXPECT_OK(striae_pattern_builder_add_scratches(builder, NULL, 0));
+    EXPECT_REFUSED(striae_pattern_builder_add_scratches(builder, NULL, 1), "scratches", "NULL");
+    EXPECT_REFUSED(striae_pattern_builder_add_scratches(NULL, three, 1), "builder", "NULL");
+    EXPECT_REFUSED(striae_pattern_builder_scratch_count(builder, NULL), "count", "NULL");
+}
+
 int main(void) {
     plate_init(&plate);
     EXPECT_OK(striae_pattern_builder_new(&plate.titanium, &plate.options, &builder));
@@ -147,6 +175,7 @@ int main(void) {
     keys();
     short_tool();
     builder_survives();
+    many_scratches();
     striae_pattern_builder_free(builder);
     striae_tool_release(plate.tool);
     return expect_summary();
