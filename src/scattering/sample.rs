@@ -83,7 +83,8 @@ impl Shading {
     /// The density with which [`Self::sample`] chooses a light (of any length above 0, in the local frame), per
     /// steradian. 0 below the surface; elsewhere it adds up to 1.
     pub fn pdf(&self, light: [f32; 3]) -> f32 {
-        self.eval_pdf(light).pdf
+        self.pair(light)
+            .map_or(0.0, |pair| self.first_bounce(&pair).1)
     }
 
     /// [`Self::eval`] and [`Self::pdf`] for the price of little more than one.
@@ -91,10 +92,20 @@ impl Shading {
         let Some(pair) = self.pair(light) else {
             return Evaluated::default();
         };
+        let (mut brdf_cos, pdf) = self.first_bounce(&pair);
+        if self.has_all_bounces() {
+            brdf_cos += self.indirect(&pair);
+        }
+        let brdf_cos = finite(brdf_cos).to_array();
+        Evaluated { brdf_cos, pdf }
+    }
+
+    /// BRDF times cosine of light that meets one zone, and the density with which it is chosen, whatever it meets.
+    fn first_bounce(&self, pair: &Pair) -> (Vec3, f32) {
         let directions = Directions::new(pair.view, pair.light);
         let mut lobes = [0.0; MOST_FINISHES];
         let (mut density, mut seen) = (0.0, 0.0);
-        self.each_zone(&pair, |zone, turned, across| {
+        self.each_zone(pair, |zone, turned, across| {
             if zone.lit > 0.0 {
                 let finish = self.zones.finish_of(zone.finish);
                 lobes[zone.finish as usize] += zone.lit * finish.lobe_cos(zone.normal, turned);
@@ -104,14 +115,9 @@ impl Shading {
                 seen += zone.seen;
             }
         });
-        let mut brdf_cos = self.zones.colour(&lobes, &pair) + self.hosted(&pair);
-        if self.has_all_bounces() {
-            brdf_cos += self.indirect(&pair);
-        }
-        let brdf_cos = finite(brdf_cos).to_array();
+        let brdf_cos = self.zones.colour(&lobes, pair) + self.hosted(pair);
         let pdf = if seen > 0.0 { density / seen } else { 0.0 };
-        let pdf = if pdf.is_finite() { pdf } else { 0.0 };
-        Evaluated { brdf_cos, pdf }
+        (brdf_cos, if pdf.is_finite() { pdf } else { 0.0 })
     }
 
     /// The zone in which the share `u` of all that is seen falls.
