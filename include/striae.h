@@ -5,6 +5,7 @@
  *
  *     striae_tool_preset()                       a tool; also from a mesh or a file: striae_tool_load()
  *     striae_material_metal()                    what is scratched
+ *     striae_brdf_metal(), striae_brdf_host()    how its zones reflect, if not as it says: by name, or by code of yours
  *     striae_pattern_builder_new()               how large the surface is, and its material
  *     striae_pattern_builder_add_scratch()       a path, and force and orientation along it; by the many:
  *                                                striae_pattern_builder_generate(), _add_svg(), _load()
@@ -519,9 +520,10 @@ typedef struct StriaeTool StriaeTool;
  * The host's own base BRDF, for any zones and the flat surface: three functions. Set struct_size to sizeof(StriaeHostBrdf);
  * striae_brdf_host() makes a StriaeBrdf of it.
  *
- * Directions are three numbers each, in the zone's own frame: x across the scratch, y along it (on the flat surface along
- * dp_du), z the zone's normal. They have unit length and point away from the surface. `view`, and in `eval` the light too,
- * lie above the zone. What is to be reflected at a pair of directions depends on them and on `user` alone.
+ * Directions are three numbers each, in the zone's own frame: x across the scratch, to the right of its travel where the zone
+ * is level, y along it (on the flat surface along dp_du), z the zone's normal. They have unit length and point away from the
+ * surface. `view`, and in `eval` the light too, lie above the zone. What is reflected depends on them and on `user` alone.
+ * Where it is to vary over the surface, ask for striae_zones() and add them up yourself.
  *
  * The functions are called while points are shaded, sampled and evaluated, by whichever threads do that, at any time and
  * several at once; they must not throw, jump out, or call striae with the StriaeShading that is being asked. The library
@@ -1542,10 +1544,21 @@ void striae_tool_release(const struct StriaeTool *tool);
 /**
  * Fills in a base BRDF of the host's own. The table is copied.
  *
+ * @code{.c}
+ * static void paint_eval(void *user, const float *view, const float *light, float *f) {
+ *   const Paint *paint = user;
+ *   for (int c = 0; c < 3; c++) f[c] = paint->albedo[c] * light[2] / 3.14159265f;
+ * }
+ * StriaeHostBrdf host = {.struct_size = sizeof host, .eval = paint_eval, .sample = paint_sample, .pdf = paint_pdf,
+ *                        .user = &paint, .lobe = STRIAE_LOBE_DIFFUSE, .alpha_across = 1.0f, .alpha_along = 1.0f};
+ * striae_brdf_host(&host, &material.scratched);
+ * @endcode
+ *
  * @param host the functions
  * @param brdf is written on success only
  */
-enum StriaeStatus striae_brdf_host(const struct StriaeHostBrdf *host, struct StriaeBrdf *brdf);
+enum StriaeStatus striae_brdf_host(const struct StriaeHostBrdf *host,
+                                   struct StriaeBrdf *brdf);
 
 /**
  * Fills in a diffuse base BRDF. Allocates nothing.
@@ -2098,7 +2111,8 @@ enum StriaeStatus striae_pattern_query(const struct StriaePattern *pattern,
  *
  * With all bounces striae_sample() walks through the cross-section, without bias, and striae_eval() adds what zones reflect to
  * one another as if they scattered it evenly: exact for Lambertian zones, about for glossy ones. The density stays that of
- * one bounce, which is all that multiple importance sampling needs. To evaluate then takes several times as long.
+ * one bounce, which is all that multiple importance sampling needs. To evaluate then takes many times as long, to sample
+ * hardly longer.
  *
  * @param shading filled in by striae_shade()
  * @param bounces STRIAE_BOUNCES_ONE or STRIAE_BOUNCES_ALL

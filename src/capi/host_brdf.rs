@@ -15,9 +15,10 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 /// The host's own base BRDF, for any zones and the flat surface: three functions. Set struct_size to sizeof(StriaeHostBrdf);
 /// striae_brdf_host() makes a StriaeBrdf of it.
 ///
-/// Directions are three numbers each, in the zone's own frame: x across the scratch, y along it (on the flat surface along
-/// dp_du), z the zone's normal. They have unit length and point away from the surface. `view`, and in `eval` the light too,
-/// lie above the zone. What is to be reflected at a pair of directions depends on them and on `user` alone.
+/// Directions are three numbers each, in the zone's own frame: x across the scratch, to the right of its travel where the zone
+/// is level, y along it (on the flat surface along dp_du), z the zone's normal. They have unit length and point away from the
+/// surface. `view`, and in `eval` the light too, lie above the zone. What is reflected depends on them and on `user` alone.
+/// Where it is to vary over the surface, ask for striae_zones() and add them up yourself.
 ///
 /// The functions are called while points are shaded, sampled and evaluated, by whichever threads do that, at any time and
 /// several at once; they must not throw, jump out, or call striae with the StriaeShading that is being asked. The library
@@ -170,6 +171,16 @@ impl StriaeHostBrdf {
 }
 
 /// Fills in a base BRDF of the host's own. The table is copied.
+///
+/// @code{.c}
+/// static void paint_eval(void *user, const float *view, const float *light, float *f) {
+///   const Paint *paint = user;
+///   for (int c = 0; c < 3; c++) f[c] = paint->albedo[c] * light[2] / 3.14159265f;
+/// }
+/// StriaeHostBrdf host = {.struct_size = sizeof host, .eval = paint_eval, .sample = paint_sample, .pdf = paint_pdf,
+///                        .user = &paint, .lobe = STRIAE_LOBE_DIFFUSE, .alpha_across = 1.0f, .alpha_along = 1.0f};
+/// striae_brdf_host(&host, &material.scratched);
+/// @endcode
 ///
 /// @param host the functions
 /// @param brdf is written on success only

@@ -97,7 +97,8 @@ pub(super) fn flags(lobe: Lobe) -> u32 {
 ///
 /// With all bounces striae_sample() walks through the cross-section, without bias, and striae_eval() adds what zones reflect to
 /// one another as if they scattered it evenly: exact for Lambertian zones, about for glossy ones. The density stays that of
-/// one bounce, which is all that multiple importance sampling needs. To evaluate then takes several times as long.
+/// one bounce, which is all that multiple importance sampling needs. To evaluate then takes many times as long, to sample
+/// hardly longer.
 ///
 /// @param shading filled in by striae_shade()
 /// @param bounces STRIAE_BOUNCES_ONE or STRIAE_BOUNCES_ALL

@@ -11,6 +11,11 @@ impl Shading {
         if !self.has_hosted() {
             return Vec3::ZERO;
         }
+        self.hosted_zones(pair)
+    }
+
+    #[inline(never)]
+    fn hosted_zones(&self, pair: &Pair) -> Vec3 {
         let mut sum = Vec3::ZERO;
         self.each_zone(One, pair, |zone, pair, _| {
             if zone.lit > 0.0 {

@@ -133,7 +133,8 @@ impl Shading {
     /// The density with which [`Self::sample`] chooses a light (of any length above 0, in the local frame), per
     /// steradian. 0 below the surface; elsewhere it adds up to 1.
     pub fn pdf(&self, light: [f32; 3]) -> f32 {
-        self.eval_pdf(light).pdf
+        self.pair(light)
+            .map_or(0.0, |pair| self.first_bounce(&pair).1)
     }
 
     /// [`Self::eval`] and [`Self::pdf`] for the price of little more than one.
@@ -141,19 +142,24 @@ impl Shading {
         let Some(pair) = self.pair(light) else {
             return Evaluated::default();
         };
-        let Sums {
-            lobes,
-            density,
-            seen,
-        } = in_lanes!(lanes => self.sums(lanes, &pair));
-        let mut brdf_cos = self.zones.colour(&lobes, &pair) + self.hosted(&pair);
+        let (mut brdf_cos, pdf) = self.first_bounce(&pair);
         if self.has_all_bounces() {
             brdf_cos += self.indirect(&pair);
         }
         let brdf_cos = finite(brdf_cos).to_array();
-        let pdf = if seen > 0.0 { density / seen } else { 0.0 };
-        let pdf = if pdf.is_finite() { pdf } else { 0.0 };
         Evaluated { brdf_cos, pdf }
+    }
+
+    /// BRDF times cosine of light that meets one zone, and the density with which it is chosen, whatever it meets.
+    fn first_bounce(&self, pair: &Pair) -> (Vec3, f32) {
+        let Sums {
+            lobes,
+            density,
+            seen,
+        } = in_lanes!(lanes => self.sums(lanes, pair));
+        let brdf_cos = self.zones.colour(&lobes, pair) + self.hosted(pair);
+        let pdf = if seen > 0.0 { density / seen } else { 0.0 };
+        (brdf_cos, if pdf.is_finite() { pdf } else { 0.0 })
     }
 
     /// What the lobes of each finish add up to, and the densities of all zones.

@@ -1,7 +1,9 @@
-/* One pattern, many threads: retained and released by all, shaded and queried by all, the same numbers in each.
+/* One pattern, many threads: retained and released by all, shaded, sampled and queried by all, the same numbers in each; its
+   scratch reflects by a base BRDF of the host's own, which all call at once.
    Takes the number of rounds; fewer do where a race detector watches. */
 #include <pthread.h>
 
+#include "matt_host.h"
 #include "plate_fixture.h"
 
 enum { THREADS = 4 };
@@ -20,6 +22,9 @@ static void *shade_often(void *user) {
         if (striae_shade(pattern, &point, view, &shading) == STRIAE_STATUS_OK &&
             striae_eval(&shading, light, 0, f) == STRIAE_STATUS_OK)
             *sum += f[0];
+        const float u[3] = {(float)i / (float)rounds, 0.4f, 0.7f};
+        StriaeSample sample;
+        if (striae_sample(&shading, u, &sample) == STRIAE_STATUS_OK) *sum += sample.weight[0] + sample.pdf;
         StriaeHit hits[2];
         StriaeHitCount count;
         if (striae_pattern_query(pattern, &point, hits, 2, &count) == STRIAE_STATUS_OK && count.written == 1)
@@ -42,6 +47,9 @@ int main(int argc, char **argv) {
     float sums[THREADS] = {0}, alone = 0.0f;
     if (argc > 1) rounds = atoi(argv[1]);
     plate_init(&plate);
+    float albedo[3] = {0.7f, 0.5f, 0.3f};
+    const StriaeHostBrdf host = matt(albedo);
+    EXPECT_OK(striae_brdf_host(&host, &plate.titanium.scratched));
     pattern = plate_pattern(&plate);
     striae_tool_release(plate.tool);
 

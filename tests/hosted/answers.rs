@@ -150,6 +150,28 @@ fn zones_name_them() {
     );
 }
 
+/// Threads that make them known at once, while others ask, get each its own.
+#[test]
+fn known_by_many_threads() {
+    std::thread::scope(|scope| {
+        for thread in 0..8_u8 {
+            scope.spawn(move || {
+                for i in 0..100_u8 {
+                    let value = f32::from(i) + 100.0 * f32::from(thread);
+                    let told = Odd {
+                        f: [value; 3],
+                        light: None,
+                        pdf: value,
+                    };
+                    let facet = Facet::new(hosted(told), 0.0).unwrap();
+                    let up = [0.0, 0.0, 1.0];
+                    assert_eq!(facet.eval(up, up), [value; 3], "{thread}, {i}");
+                }
+            });
+        }
+    });
+}
+
 /// Widths out of range are refused by name.
 #[test]
 fn ranges() {
