@@ -195,7 +195,11 @@ impl Finish {
         match self.colour {
             SCHLICK => Fresnel::Schlick { f0: rgb }.reflectance(view_half),
             CONDUCTOR => Fresnel::Conductor { eta: rgb, k }.reflectance(view_half),
-            _ => rgb.map(|channel| view_half.like(channel)),
+            _ => [
+                view_half.like(rgb[0]),
+                view_half.like(rgb[1]),
+                view_half.like(rgb[2]),
+            ],
         }
     }
 

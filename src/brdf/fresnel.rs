@@ -49,9 +49,14 @@ impl Fresnel {
                 let m = -cos + 1.0;
                 let m2 = m * m;
                 let m5 = m2 * m2 * m;
-                f0.map(|f0| m5 * (1.0 - f0) + f0)
+                let [r, g, b] = f0;
+                [m5 * (1.0 - r) + r, m5 * (1.0 - g) + g, m5 * (1.0 - b) + b]
             }
-            Self::Conductor { eta, k } => [0, 1, 2].map(|i| conductor(cos, eta[i], k[i])),
+            Self::Conductor { eta, k } => [
+                conductor(cos, eta[0], k[0]),
+                conductor(cos, eta[1], k[1]),
+                conductor(cos, eta[2], k[2]),
+            ],
         }
     }
 }

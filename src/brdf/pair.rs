@@ -57,15 +57,10 @@ impl Pair {
     /// The same pair in the frames of zones whose normals are (x, 0, z).
     #[inline(always)]
     pub(crate) fn tilted<F: Number>(&self, x: F, z: F) -> Local<F> {
-        let onto_zone = |w: Vec3| Vector {
-            x: z * w.x - x * w.z,
-            y: x.like(w.y),
-            z: x * w.x + z * w.z,
-        };
         Local {
-            view: onto_zone(self.view),
-            light: onto_zone(self.light),
-            half: onto_zone(self.half),
+            view: onto_zones(self.view, x, z),
+            light: onto_zones(self.light, x, z),
+            half: onto_zones(self.half, x, z),
             view_half: x.like(self.view_half),
         }
     }
@@ -117,16 +112,11 @@ impl<F: Number> Pairs<F> {
     /// The same pairs in the frame (across, along, up) of a scratch.
     #[inline(always)]
     pub(crate) fn turned(&self, across: Vec2) -> Self {
-        let turn = |w: Vector<F>| Vector {
-            x: w.x * across.x + w.y * across.y,
-            y: w.y * across.x - w.x * across.y,
-            z: w.z,
-        };
         let view = self.view.truncate();
         Self {
             view: Vec3::new(view.dot(across), across.perp_dot(view), self.view.z),
-            light: turn(self.light),
-            half: turn(self.half),
+            light: turned(self.light, across),
+            half: turned(self.half, across),
             view_half: self.view_half,
         }
     }
@@ -134,21 +124,46 @@ impl<F: Number> Pairs<F> {
     /// The same pairs in the frame of a zone whose normal is (x, 0, z).
     #[inline(always)]
     pub(crate) fn tilted(&self, [x, z]: [f32; 2]) -> Local<F> {
-        let onto_zone = |w: Vector<F>| Vector {
-            x: w.x * z - w.z * x,
-            y: w.y,
-            z: w.x * x + w.z * z,
-        };
         let view = Vector {
             x: self.view_half.like(self.view.x),
             y: self.view_half.like(self.view.y),
             z: self.view_half.like(self.view.z),
         };
         Local {
-            view: onto_zone(view),
-            light: onto_zone(self.light),
-            half: onto_zone(self.half),
+            view: onto_zone(view, x, z),
+            light: onto_zone(self.light, x, z),
+            half: onto_zone(self.half, x, z),
             view_half: self.view_half,
         }
+    }
+}
+
+/// One direction in the frames of several zones whose normals are (x, 0, z).
+#[inline(always)]
+fn onto_zones<F: Number>(w: Vec3, x: F, z: F) -> Vector<F> {
+    Vector {
+        x: z * w.x - x * w.z,
+        y: x.like(w.y),
+        z: x * w.x + z * w.z,
+    }
+}
+
+/// Several directions in the frame of one zone.
+#[inline(always)]
+fn onto_zone<F: Number>(w: Vector<F>, x: f32, z: f32) -> Vector<F> {
+    Vector {
+        x: w.x * z - w.z * x,
+        y: w.y,
+        z: w.x * x + w.z * z,
+    }
+}
+
+/// Several directions in the frame of a scratch.
+#[inline(always)]
+fn turned<F: Number>(w: Vector<F>, across: Vec2) -> Vector<F> {
+    Vector {
+        x: w.x * across.x + w.y * across.y,
+        y: w.y * across.x - w.x * across.y,
+        z: w.z,
     }
 }

@@ -172,16 +172,20 @@ impl Densities {
     /// The weight between x = `from` and x = `to`; 0 if they are swapped.
     #[inline(always)]
     pub(crate) fn between<F: Number>(&self, weight: &Weight, from: F, to: F) -> F {
-        let pieces = self.pieces(weight).iter();
-        let none = from.like(0.0);
-        pieces.fold(none, |sum, piece| sum + piece.between(from, to))
+        let mut sum = from.like(0.0);
+        for piece in self.pieces(weight) {
+            sum = sum + piece.between(from, to);
+        }
+        sum
     }
 
     /// The weight of the flat surface that the scratch takes from the pixel between x = `from` and `to`.
     #[inline(always)]
     pub(crate) fn taken<F: Number>(&self, weight: &Weight, ends: [F; 2]) -> F {
         let [first, last] = weight.window;
-        let [from, to] = ends.map(|x| x.max(x.like(first)).min(x.like(last)));
+        let [from, to] = ends;
+        let (first, last) = (from.like(first), from.like(last));
+        let (from, to) = (from.max(first).min(last), to.max(first).min(last));
         self.between(weight, from, to)
     }
 

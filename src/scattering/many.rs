@@ -11,7 +11,7 @@ use super::visibility::{Across, Parts};
 use crate::brdf::{ACROSS_SURFACE, Pair, Pairs};
 use crate::error::{Error, Result};
 use crate::lanes::{Lanes, Number, One, Vector, in_lanes};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// Lights that are looked at together.
 pub(super) const MOST: usize = 8;
@@ -199,7 +199,7 @@ impl Shading {
                 ..light
             },
         );
-        let directions = with_pdf.then_some(&below);
+        let directions = if with_pdf { Some(&below) } else { None };
         let none = lanes.all(0.0);
         let mut sums = Sums {
             lobes: [none; MOST_FINISHES],
@@ -223,13 +223,15 @@ impl Shading {
         };
         let turned = pairs.turned(ACROSS_SURFACE);
         self.add_facet(lanes, &surface, left, &turned, &mut sums);
-        let below = directions.map(|below| below.turned(ACROSS_SURFACE));
+        let below = all_turned(directions, ACROSS_SURFACE);
         self.add_density(lanes, &surface, &turned, below.as_ref(), &mut sums);
         let mut rgb = [none; 3];
         for (finish, lobe) in self.zones.finishes().iter().zip(sums.lobes) {
             if lobe.any() {
                 let colour = finish.colour(pairs.view_half);
-                rgb = [0, 1, 2].map(|i| rgb[i] + colour[i] * lobe);
+                for (sum, colour) in rgb.iter_mut().zip(colour) {
+                    *sum = *sum + colour * lobe;
+                }
             }
         }
         for (i, channel) in rgb.into_iter().enumerate() {
@@ -260,14 +262,19 @@ impl Shading {
     ) {
         let zones = &self.zones;
         let pairs = pairs.turned(relief.across);
-        let below = below.map(|below| below.turned(relief.across));
+        let below = all_turned(below, relief.across);
         let (first, facets) = (relief.first as usize, relief.facets());
         for slot in first..first + facets {
             let facet = zones.facet(slot, relief.gain * zones.weight[slot]);
             self.add_density(lanes, &facet, &pairs, below.as_ref(), sums);
         }
-        for mut sweep in sides(lanes, &pairs.light) {
-            for k in sweep.order(facets) {
+        for leftwards in [true, false] {
+            let mut sweep = Sweep::new(lanes, &pairs.light, leftwards);
+            if !sweep.own.any() {
+                continue;
+            }
+            for step in 0..facets {
+                let k = sweep.facet(step, facets);
                 let slot = first + k;
                 let part = sweep.pass(zones.corners(slot));
                 if zones.weight[slot] > 0.0 {
@@ -305,10 +312,8 @@ impl Shading {
         let view_slope = pairs.view.x / pairs.view.z;
         let from = from.max(lanes.all(unpacked(zones.seen_from[slot])));
         let to = to.min(lanes.all(unpacked(zones.seen_to[slot])));
-        let [a, b] = [from, to].map(|share| {
-            let (x, z) = (share * run_x + x, share * run_z + z);
-            x - z * view_slope
-        });
+        let shown = |share: L::F| share * run_x + x - (share * run_z + z) * view_slope;
+        let (a, b) = (shown(from), shown(to));
         let part = zones.densities.between(&relief.weight, a, b).max(none);
         some.if_above(none, to.if_above(from, part, none), hidden)
     }
@@ -324,7 +329,7 @@ impl Shading {
     ) {
         let zones = &self.zones;
         let pairs = pairs.turned(flock.across);
-        let below = below.map(|below| below.turned(flock.across));
+        let below = all_turned(below, flock.across);
         let [first, count] = flock.slots.map(|slot| slot as usize);
         let facets = count.saturating_sub(1);
         let view = Across::of(pairs.view);
@@ -346,12 +351,17 @@ impl Shading {
             let facet = zones.facet(first + k, share * shown(k));
             self.add_density(lanes, &facet, &pairs, below.as_ref(), sums);
         }
-        for mut sweep in sides(lanes, &pairs.light) {
-            for k in sweep.order(facets) {
+        for leftwards in [true, false] {
+            let mut sweep = Sweep::new(lanes, &pairs.light, leftwards);
+            if !sweep.own.any() {
+                continue;
+            }
+            for step in 0..facets {
+                let k = sweep.facet(step, facets);
                 let [from, to] = sweep.pass(zones.corners(first + k));
                 if shown(k) > 0.0 {
-                    let [seen_from, seen_to] = seen.of(k).map(|end| lanes.all(end));
-                    let both = to.min(seen_to) - from.max(seen_from);
+                    let [seen_from, seen_to] = seen.of(k);
+                    let both = to.min(lanes.all(seen_to)) - from.max(lanes.all(seen_from));
                     let lit = both.max(lanes.all(0.0)) * (width(k) * flock.share);
                     let facet = zones.facet(first + k, 0.0);
                     self.add_facet(lanes, &facet, lit * sweep.own, &pairs, sums);
@@ -402,6 +412,14 @@ impl Shading {
     }
 }
 
+#[inline(always)]
+fn all_turned<F: Number>(pairs: Option<&Pairs<F>>, across: Vec2) -> Option<Pairs<F>> {
+    match pairs {
+        Some(pairs) => Some(pairs.turned(across)),
+        None => None,
+    }
+}
+
 /// A facet of one finish, and how much of it is seen.
 struct Facet {
     normal: [f32; 2],
@@ -434,44 +452,40 @@ struct Sweep<F> {
     horizon: F,
 }
 
-/// The passes that these lights need: seldom both.
-#[inline(always)]
-fn sides<L: Lanes>(lanes: L, light: &Vector<L::F>) -> impl Iterator<Item = Sweep<L::F>> {
-    let (none, one) = (lanes.all(0.0), lanes.all(1.0));
-    let (x, z) = (light.x, light.z);
-    [true, false].into_iter().filter_map(move |leftwards| {
-        let from_left = none.if_above(x, one, none);
-        let own = if leftwards {
-            -from_left + 1.0
-        } else {
-            from_left
+impl<F: Number> Sweep<F> {
+    /// Seldom do lights that are looked at together come from both sides: then each side is passed for its own.
+    #[inline(always)]
+    fn new<L: Lanes<F = F>>(lanes: L, light: &Vector<F>, leftwards: bool) -> Self {
+        let (none, one) = (lanes.all(0.0), lanes.all(1.0));
+        let from_left = none.if_above(light.x, one, none);
+        let (own, horizon) = match leftwards {
+            true => (-from_left + 1.0, f32::INFINITY),
+            false => (from_left, f32::NEG_INFINITY),
         };
-        let horizon = if leftwards {
-            f32::INFINITY
-        } else {
-            f32::NEG_INFINITY
-        };
-        own.any().then(|| Sweep {
+        Self {
             leftwards,
             own,
-            light: [x, z],
+            light: [light.x, light.z],
             horizon: lanes.all(horizon),
-        })
-    })
-}
+        }
+    }
 
-impl<F: Number> Sweep<F> {
-    /// The facets, from the side that the lights come from.
-    fn order(&self, facets: usize) -> impl Iterator<Item = usize> + use<F> {
-        let leftwards = self.leftwards;
-        (0..facets).map(move |k| if leftwards { facets - 1 - k } else { k })
+    /// The facets in order, from the side that the lights come from.
+    #[inline(always)]
+    fn facet(&self, step: usize, facets: usize) -> usize {
+        if self.leftwards {
+            facets - 1 - step
+        } else {
+            step
+        }
     }
 
     /// Goes on by a facet, and returns its part that is lit.
     #[inline(always)]
     fn pass(&mut self, corners: [[f32; 2]; 2]) -> [F; 2] {
         let [x, z] = self.light;
-        let [a, b] = corners.map(|corner| z * corner[0] - x * corner[1]);
+        let [[x_a, z_a], [x_b, z_b]] = corners;
+        let (a, b) = (z * x_a - x * z_a, z * x_b - x * z_b);
         let (left, right) = (x.like(0.0), x.like(1.0));
         let rise = b - a;
         if self.leftwards {
@@ -491,7 +505,7 @@ impl<F: Number> Sweep<F> {
     #[inline(always)]
     fn flat_ends(&self, ends: [f32; 2]) -> [F; 2] {
         let at = self.horizon / self.light[1];
-        let [left, right] = ends.map(|end| at.like(end));
+        let (left, right) = (at.like(ends[0]), at.like(ends[1]));
         if self.leftwards {
             [at.min(left), right]
         } else {

@@ -173,7 +173,8 @@ impl Zones {
         for k in (0..facets).step_by(L::WIDTH) {
             let slot = first + k;
             // Scaled up first: facets of nanometres would underflow when squared.
-            let [x, z] = self.runs(lanes, slot).map(|run| run * 1e6);
+            let [x, z] = self.runs(lanes, slot);
+            let (x, z) = (x * 1e6, z * 1e6);
             let length = (x * x + z * z).sqrt();
             let zero = lanes.all(0.0);
             let normal_x = length.if_above(zero, -z / length, zero);
@@ -195,16 +196,21 @@ impl Zones {
     /// From the left end of facets to their right ends, in x and z.
     #[inline(always)]
     pub(super) fn runs<L: Lanes>(&self, lanes: L, slot: usize) -> [L::F; 2] {
-        [&self.x, &self.z].map(|v| lanes.load(&v[slot + 1..]) - lanes.load(&v[slot..]))
+        [
+            lanes.load(&self.x[slot + 1..]) - lanes.load(&self.x[slot..]),
+            lanes.load(&self.z[slot + 1..]) - lanes.load(&self.z[slot..]),
+        ]
     }
 
     /// The parts of facets that the viewer sees.
     #[inline(always)]
     pub(super) fn seen<L: Lanes>(&self, lanes: L, slot: usize) -> [L::F; 2] {
-        [&self.seen_from, &self.seen_to].map(|ends| {
-            let ends = &ends[slot..slot + L::WIDTH];
-            lanes.made(|i| unpacked(ends[i]))
-        })
+        let from = &self.seen_from[slot..slot + L::WIDTH];
+        let to = &self.seen_to[slot..slot + L::WIDTH];
+        [
+            lanes.made(|i| unpacked(from[i])),
+            lanes.made(|i| unpacked(to[i])),
+        ]
     }
 
     /// How much parts of facets weigh in the pixel: their projection along the view, under the filter.
@@ -219,12 +225,12 @@ impl Zones {
     ) -> L::F {
         let (x, z) = (lanes.load(&self.x[slot..]), lanes.load(&self.z[slot..]));
         let [run_x, run_z] = self.runs(lanes, slot);
-        let [a, b] = [from, to].map(|share| {
-            let (x, z) = (x + share * run_x, z + share * run_z);
-            x - z * view_slope
-        });
+        let shown = |share: L::F| x + share * run_x - (z + share * run_z) * view_slope;
         let none = lanes.all(0.0);
-        let weight = self.densities.between(&relief.weight, a, b).max(none);
+        let weight = self
+            .densities
+            .between(&relief.weight, shown(from), shown(to));
+        let weight = weight.max(none);
         to.if_above(from, weight, none)
     }
 

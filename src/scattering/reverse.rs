@@ -86,7 +86,8 @@ impl Shading {
         let [x, z] = zone.normal;
         let finish = self.zones.finish_of(zone.finish);
         let below = pair.below.turned(across);
-        let [above, below] = [turned, &below].map(|pair| finish.pdfs(lanes, &pair.tilted(x, z)));
+        let above = finish.pdfs(lanes, &turned.tilted(x, z));
+        let below = finish.pdfs(lanes, &below.tilted(x, z));
         (zone.seen.if_above(none, zone.seen * (above + below), none)).sum()
     }
 }
