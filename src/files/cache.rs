@@ -19,7 +19,7 @@ use std::sync::Arc;
 const MAGIC: [u8; 8] = *b"STRIAE\r\n";
 
 /// Changes with the meaning of any byte.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 
 const BYTE_ORDER: u32 = 0x0102_0304;
 
