@@ -22,20 +22,35 @@ pub(crate) const PORTION: usize = 16_384;
 /// Scratches that one thread prepares at once.
 const BATCH: usize = 256;
 
+/// Batches that are prepared while those before them are kept.
+const TOGETHER: usize = 8;
+
 /// Collects scratches. Each is checked as it is added.
 #[derive(Clone, Debug)]
 pub struct PatternBuilder {
-    pub(super) material: Material,
+    pub(super) plate: Plate,
+    pub(super) kept: Kept,
+}
+
+/// What scratches are prepared for.
+#[derive(Clone, Debug)]
+pub(super) struct Plate {
+    pub material: Material,
     hardness: Option<HardnessMap>,
-    pub(super) mm_per_scene_unit: f64,
-    pub(super) units_per_uv: DVec2,
-    pub(super) chains: Chains,
-    pub(super) courses: Courses,
-    pub(super) kinds: Kinds,
+    pub mm_per_scene_unit: f64,
+    pub units_per_uv: DVec2,
+}
+
+/// All scratches so far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kept {
+    pub chains: Chains,
+    pub courses: Courses,
+    pub kinds: Kinds,
     /// Cross-sections of scratches that share theirs with no other.
-    pub(super) own: Vec<Track>,
-    pub(super) scratches: Vec<Added>,
-    pub(super) hosts: Hosts,
+    pub own: Vec<Track>,
+    pub scratches: Vec<Added>,
+    pub hosts: Hosts,
 }
 
 /// A scratch as the builder keeps it.
@@ -81,41 +96,42 @@ impl PatternBuilder {
         hosts.admit_one(material.surface);
         hosts.admit(&material);
         Ok(Self {
-            material,
-            hardness: None,
-            mm_per_scene_unit,
-            units_per_uv: DVec2::from(units_per_uv),
-            chains: Chains::default(),
-            courses: Courses::default(),
-            kinds: Kinds::default(),
-            own: Vec::new(),
-            scratches: Vec::new(),
-            hosts,
+            plate: Plate {
+                material,
+                hardness: None,
+                mm_per_scene_unit,
+                units_per_uv: DVec2::from(units_per_uv),
+            },
+            kept: Kept {
+                hosts,
+                ..Kept::default()
+            },
         })
     }
 
     /// Millimetres that one unit of u and of v spans.
     pub fn mm_per_uv(&self) -> [f64; 2] {
-        (self.mm_per_scene_unit * self.units_per_uv).to_array()
+        (self.plate.mm_per_scene_unit * self.plate.units_per_uv).to_array()
     }
 
     /// The surface's material.
     pub fn material(&self) -> &Material {
-        &self.material
+        &self.plate.material
     }
 
     /// Lets the surface's hardness vary: scratches added from now on meet `map` along their way instead of the
     /// material's own hardness. Scratches with a material of their own keep that one's.
     pub fn set_hardness(&mut self, map: HardnessMap) {
-        self.hardness = Some(map);
+        self.plate.hardness = Some(map);
     }
 
     /// Adds a scratch. If it is refused, the builder is as it was.
     pub fn add(&mut self, scratch: &Scratch<'_>) -> Result<()> {
         let one = core::slice::from_ref(scratch);
         self.all_or_none(|builder| {
-            let batch = builder.prepare_all(one);
-            builder.keep_all(one, batch).map_err(|(_, error)| error)
+            let batch = builder.plate.prepare_all(one);
+            let kept = builder.kept.keep_all(one, batch, &builder.plate.material);
+            kept.map_err(|(_, error)| error)
         })
     }
 
@@ -133,17 +149,31 @@ impl PatternBuilder {
 
     /// How many scratches were added so far: the next one's number.
     pub fn scratch_count(&self) -> usize {
-        self.scratches.len()
+        self.kept.scratches.len()
     }
 
     /// Adds scratches, the first of which has this number in what its author states.
     pub(crate) fn add_portion(&mut self, scratches: &[Scratch<'_>], first: usize) -> Result<()> {
-        let batches = scratches.par_chunks(BATCH);
-        let prepared: Vec<Batch> = batches.map(|batch| self.prepare_all(batch)).collect();
-        for (i, (scratches, batch)) in scratches.chunks(BATCH).zip(prepared).enumerate() {
-            let number = |own: usize| first + i * BATCH + own;
-            let kept = self.keep_all(scratches, batch);
-            kept.map_err(|(own, error)| error.within("scratches", number(own)))?;
+        let Self { plate, kept } = self;
+        let mut prepared: Option<(usize, &[Scratch<'_>], Vec<Batch>)> = None;
+        let parts = scratches.chunks(TOGETHER * BATCH).map(Some);
+        let mut first = first;
+        for part in parts.chain([None]) {
+            let before = prepared.take();
+            let keep = || match before {
+                Some((first, part, batches)) => kept.keep_each(part, first, batches, plate),
+                None => Ok(()),
+            };
+            let prepare = |part: &[Scratch<'_>]| {
+                let batches = part.par_chunks(BATCH);
+                batches.map(|batch| plate.prepare_all(batch)).collect()
+            };
+            let (done, batches) = rayon::join(keep, || part.map(prepare));
+            done?;
+            prepared = part
+                .zip(batches)
+                .map(|(part, batches)| (first, part, batches));
+            first += part.map_or(0, <[_]>::len);
         }
         Ok(())
     }
@@ -153,18 +183,27 @@ impl PatternBuilder {
         &mut self,
         add: impl FnOnce(&mut Self) -> core::result::Result<(), E>,
     ) -> core::result::Result<(), E> {
-        let (points, pieces) = (self.chains.points.len(), self.chains.pieces.len());
-        let (own, scratches) = (self.own.len(), self.scratches.len());
+        let kept = &self.kept;
+        let (points, pieces) = (kept.chains.points.len(), kept.chains.pieces.len());
+        let (own, scratches) = (kept.own.len(), kept.scratches.len());
         let added = add(self);
         if added.is_err() {
-            self.chains.points.truncate(points);
-            self.chains.pieces.truncate(pieces);
-            self.own.truncate(own);
-            self.scratches.truncate(scratches);
+            let kept = &mut self.kept;
+            kept.chains.points.truncate(points);
+            kept.chains.pieces.truncate(pieces);
+            kept.own.truncate(own);
+            kept.scratches.truncate(scratches);
         }
         added
     }
 
+    /// The pattern so far. The builder stays usable.
+    pub fn build(&self) -> Pattern {
+        Pattern::of(self)
+    }
+}
+
+impl Plate {
     fn prepare_all(&self, scratches: &[Scratch<'_>]) -> Batch {
         let mut batch = Batch {
             chains: Chains::default(),
@@ -221,12 +260,31 @@ impl PatternBuilder {
             pieces: pieces.pieces.len(),
         })
     }
+}
+
+impl Kept {
+    /// Keeps batches of scratches, the first of which has this number.
+    fn keep_each(
+        &mut self,
+        scratches: &[Scratch<'_>],
+        first: usize,
+        batches: Vec<Batch>,
+        plate: &Plate,
+    ) -> Result<()> {
+        for (i, (scratches, batch)) in scratches.chunks(BATCH).zip(batches).enumerate() {
+            let number = |own: usize| first + i * BATCH + own;
+            let kept = self.keep_all(scratches, batch, &plate.material);
+            kept.map_err(|(own, error)| error.within("scratches", number(own)))?;
+        }
+        Ok(())
+    }
 
     /// Keeps a batch up to the first scratch that is refused, of which it tells the number in the batch.
     fn keep_all(
         &mut self,
         scratches: &[Scratch<'_>],
         batch: Batch,
+        material: &Material,
     ) -> core::result::Result<(), (usize, Error)> {
         let first = self.scratches.len();
         let (mut points, mut pieces) = (self.chains.points.len(), self.chains.pieces.len());
@@ -235,7 +293,7 @@ impl PatternBuilder {
             points += prepared.points;
             let first_piece = pieces;
             pieces += prepared.pieces;
-            self.keep(scratch, prepared, points, first_piece)
+            self.keep(scratch, prepared, points, first_piece, material)
                 .map_err(|error| (i, error))?;
         }
         if let Some(error) = batch.refused {
@@ -251,6 +309,7 @@ impl PatternBuilder {
         prepared: Prepared,
         points: usize,
         first_piece: usize,
+        material: &Material,
     ) -> Result<()> {
         let most = f64::from(u32::MAX);
         in_range(
@@ -272,9 +331,7 @@ impl PatternBuilder {
                 self.own.push(track);
                 number(self.own.len() - 1)
             }
-            None => self
-                .kinds
-                .place(scratch, prepared.is_closed, &self.material)?,
+            None => self.kinds.place(scratch, prepared.is_closed, material)?,
         };
         let (knots, scale) = prepared.course;
         let strand = Strand {
@@ -287,11 +344,6 @@ impl PatternBuilder {
         };
         self.scratches.push(Added { strand, is_own });
         Ok(())
-    }
-
-    /// The pattern so far. The builder stays usable.
-    pub fn build(&self) -> Pattern {
-        Pattern::of(self)
     }
 }
 

@@ -97,22 +97,58 @@ impl LengthShares {
         share.clamp(0.0, 1.0)
     }
 
-    /// The parameter where this share of the arc length is reached.
+    /// The parameter where this share of the arc length is reached: by Newton's method, halving where that leads away.
     pub(crate) fn parameter(self, share: f64) -> f64 {
-        let (mut low, mut high) = (0.0, 1.0);
+        let [from, to] = self.speeds;
+        let (mut low, mut high, mut t) = (0.0, 1.0, share.max(0.0));
         for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            if self.at(middle) < share {
-                low = middle;
-            } else {
-                high = middle;
+            let off = self.at(t) - share;
+            if off.abs() < SETTLED {
+                break;
             }
+            if off < 0.0 {
+                low = t;
+            } else {
+                high = t;
+            }
+            let slope =
+                (1.0 - t) * (1.0 - 3.0 * t) * from + 6.0 * t * (1.0 - t) - t * (2.0 - 3.0 * t) * to;
+            let next = t - off / slope;
+            t = match next > low && next < high {
+                true => next,
+                false => 0.5 * (low + high),
+            };
         }
-        0.5 * (low + high)
+        t
     }
 }
 
 /// Share of the piece's arc length at parameter t.
 pub(crate) fn length_share(control: &[DVec2; 4], t: f64) -> f64 {
     LengthShares::of(control).at(t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parameter of a share of the arc length is where that share is reached, on even curves and uneven ones.
+    #[test]
+    fn parameters_of_shares() {
+        for speeds in [[1.0, 1.0], [0.0, 0.0], [0.2, 2.5], [2.9, 0.05], [0.0, 3.0]] {
+            let lengths = LengthShares { speeds };
+            for i in 0..=1000 {
+                let share = f64::from(i) / 1000.0;
+                let t = lengths.parameter(share);
+                assert!((0.0..=1.0).contains(&t), "{speeds:?}, {share}: {t}");
+                let off = lengths.at(t) - share;
+                assert!(off.abs() < 1e-9, "{speeds:?}, {share}: off by {off}");
+            }
+        }
+        assert!(
+            LengthShares { speeds: [1.0; 2] }
+                .parameter(f64::NAN)
+                .is_finite()
+        );
+    }
 }

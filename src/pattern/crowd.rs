@@ -1,6 +1,7 @@
 //! Scratches by cross-section and direction: what a pixel holds of each, where they are too many to be
 //! told apart.
 
+use super::chords::ClassAreas;
 use super::palette::{MOST_CLASSES, Palette};
 use bytemuck::{Pod, Zeroable};
 use core::f64::consts::{PI, TAU};
@@ -49,16 +50,10 @@ impl Crowd {
         }
     }
 
-    /// Adds scratched area that travels along `travel` (any length), shared between classes.
-    pub(crate) fn add(
-        &mut self,
-        palette: &Palette,
-        classes: &[(usize, f32)],
-        travel: DVec2,
-        area_mm2: f32,
-    ) {
-        for (key, share, place) in keys(palette, classes, travel) {
-            self.add_to(key, share * area_mm2, share * area_mm2 * place);
+    /// Adds scratched areas that travel along `travel` (any length).
+    pub(super) fn add(&mut self, palette: &Palette, areas: ClassAreas, travel: DVec2) {
+        for (key, area_mm2, place) in keys(palette, areas, Heading::of(travel)) {
+            self.add_to(key, area_mm2, area_mm2 * place);
         }
     }
 
@@ -105,24 +100,43 @@ impl Crowd {
     }
 }
 
-/// Keys of what travels along `travel` (any length) in these classes, the share of each, and the place within the
-/// direction's step (-1/2 to 1/2).
+/// Where something travels: a direction, and the place within that direction's step (-1/2 to 1/2).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Heading {
+    /// Once around.
+    whole: (usize, f32),
+    /// To and fro being one.
+    half: (usize, f32),
+}
+
+impl Heading {
+    /// Along `travel` (any length).
+    pub(super) fn of(travel: DVec2) -> Self {
+        let turned = travel.y.atan2(travel.x);
+        let half = if turned < 0.0 { turned + PI } else { turned };
+        let whole = if turned < 0.0 { turned + TAU } else { turned };
+        Self {
+            whole: step(whole),
+            half: step(half),
+        }
+    }
+}
+
+/// Keys of areas that travel one way, the area of each, and the place within the direction's step.
 pub(super) fn keys(
     palette: &Palette,
-    classes: &[(usize, f32)],
-    travel: DVec2,
+    areas: ClassAreas,
+    heading: Heading,
 ) -> impl Iterator<Item = (usize, f32, f32)> {
-    let turned = travel.y.atan2(travel.x);
-    let half = if turned < 0.0 { turned + PI } else { turned };
-    let whole = if turned < 0.0 { turned + TAU } else { turned };
-    let held = classes
-        .iter()
-        .filter(|(class, share)| *share > 0.0 && *class < MOST_CLASSES);
-    held.map(move |&(class, share)| {
-        let is_symmetric = palette.is_symmetric(class);
-        let (direction, place) = step(if is_symmetric { half } else { whole });
-        (class * DIRECTIONS + direction, share, place)
-    })
+    let held = areas.into_iter().enumerate();
+    held.filter(|(_, area_mm2)| *area_mm2 > 0.0)
+        .map(move |(class, area_mm2)| {
+            let (direction, place) = match palette.is_symmetric(class) {
+                true => heading.half,
+                false => heading.whole,
+            };
+            (class * DIRECTIONS + direction, area_mm2, place)
+        })
 }
 
 /// The direction that an angle in 0 to 2 pi falls into, and its place within that step.
@@ -159,6 +173,7 @@ impl Packed {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pattern::chords::add_shares;
 
     /// Packing keeps class, direction and area; nothing is lost on the way through a cell.
     #[test]
@@ -167,7 +182,9 @@ mod tests {
         let mut crowd = Crowd::new();
         for (i, degrees) in [0.0, 13.0, 90.0, 181.0, 359.9].into_iter().enumerate() {
             let travel = DVec2::from_angle(f64::to_radians(degrees));
-            crowd.add(&palette, &[(i, 0.25), (5, 0.75)], travel, 3.7e-4);
+            let mut areas = ClassAreas::default();
+            add_shares(&mut areas, &[(i, 0.25), (5, 0.75)], 3.7e-4);
+            crowd.add(&palette, areas, travel);
         }
         let packed: Vec<Packed> = crowd.packed().collect();
         let mut again = Crowd::new();

@@ -9,6 +9,7 @@ use super::raster::{Extents, Raster, cell_number};
 use super::store::Store;
 use bytemuck::{Pod, Zeroable};
 use core::ops::ControlFlow;
+use core::sync::atomic::{AtomicU32, Ordering};
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -16,7 +17,7 @@ use rayon::prelude::*;
 const PER_CELL: f64 = 64.0;
 
 /// Pieces that a part of a cell should hold.
-const PER_PART: f64 = 4.0;
+const PER_PART: f64 = 12.0;
 
 /// Cells that a piece may cross, on average: long pieces ask for larger cells.
 const MOST_CELLS_PER_PIECE: f64 = 32.0;
@@ -44,7 +45,7 @@ pub(crate) struct Grid {
 }
 
 /// A cell's parts: `side` by `side`, their lists beginning at number `first` of `starts`.
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct Cell {
     first: u32,
@@ -60,53 +61,46 @@ impl Grid {
         let mut per_cell = PER_CELL;
         loop {
             let raster = extents.raster(per_cell, MOST_CELLS_PER_PIECE);
-            let cells = Lists::new(raster.count(), count, |piece, sink| {
-                let listed = |cell| sink.put(cell, number(piece));
-                raster.for_each_cell(&curves.control(piece), listed);
-            });
-            let crowded = mean_in_cell(raster, &cells) > CROWDED * PER_CELL
-                && (cells.len() as f64) < LONG * count as f64;
+            let cells = count_in_cells(curves, raster);
+            let listed: f64 = cells.iter().map(|&count| f64::from(count)).sum();
+            let squares: f64 = cells.iter().map(|&count| f64::from(count).powi(2)).sum();
+            // How many pieces share a cell with an average one.
+            let crowded = squares > CROWDED * PER_CELL * listed && listed < LONG * count as f64;
             if crowded && per_cell > 4.0 && raster.columns.max(raster.rows) < 4096 {
                 per_cell *= 0.25;
             } else {
-                return Self::of_cells(curves, raster, &cells);
+                return Self::of_cells(curves, raster, &cells, listed);
             }
         }
     }
 
-    fn of_cells(curves: Curves<'_>, raster: Raster, cells: &Lists<u32>) -> Self {
-        let count = raster.count();
-        let per_piece = cells.len() as f64 / curves.pieces.len() as f64;
+    /// Of cells that are crossed by so many pieces each, `listed` in all.
+    fn of_cells(curves: Curves<'_>, raster: Raster, counts: &[u32], listed: f64) -> Self {
+        let per_piece = listed / curves.pieces.len() as f64;
         let most = (MOST_PARTS_PER_PIECE / per_piece).clamp(1.0, MOST_PARTS);
-        let parts: Vec<Parts> = (0..count)
-            .into_par_iter()
-            .map_init(Vec::new, |listed, cell| {
-                Parts::of(curves, raster.cell(cell), cells.of(cell), most, listed)
-            })
-            .collect();
-        let mut grid = Self {
-            raster,
-            cells: Vec::with_capacity(count).into(),
-            starts: Vec::with_capacity(parts.iter().map(|part| part.ends.len()).sum::<usize>() + 1)
-                .into(),
-            entries: Vec::with_capacity(parts.iter().map(|part| part.entries.len()).sum()).into(),
+        let mut first = 0;
+        let cell = |&count: &u32| {
+            let side = (f64::from(count) / PER_PART).sqrt().ceil();
+            let side = cell_number(side.clamp(1.0, most));
+            let cell = Cell { first, side };
+            first += side * side;
+            cell
         };
-        grid.starts.push(0);
-        for Parts {
-            side,
-            ends,
-            entries,
-        } in &parts
-        {
-            let before = number(grid.entries.len());
-            grid.cells.push(Cell {
-                first: number(grid.starts.len() - 1),
-                side: *side,
+        let cells: Vec<Cell> = counts.iter().map(cell).collect();
+        let parts = Lists::new(first as usize, curves.pieces.len(), |piece, sink| {
+            let control = curves.control(piece);
+            raster.for_each_cell(&control, |number| {
+                let Cell { first, side } = cells[number as usize];
+                let parts = raster.cell(number as usize).parted(side);
+                parts.for_each_cell(&control, |part| sink.put(first + part, self::number(piece)));
             });
-            grid.starts.extend(ends.iter().map(|end| before + end));
-            grid.entries.extend(entries);
+        });
+        Self {
+            raster,
+            cells: cells.into(),
+            starts: parts.starts.into(),
+            entries: parts.items.into(),
         }
-        grid
     }
 
     /// Calls `visit` with each piece that may touch the box from `low` to `high`, once or more, until it breaks.
@@ -175,58 +169,15 @@ fn list<'g>(starts: &[u32], entries: &'g [u32], part: usize) -> &'g [u32] {
     list.unwrap_or(&[])
 }
 
-/// How many pieces share a cell with an average piece.
-fn mean_in_cell(raster: Raster, cells: &Lists<u32>) -> f64 {
-    let square = |cell| (cells.of(cell).len() as f64).powi(2);
-    let squares: f64 = (0..raster.count()).map(square).sum();
-    squares / (cells.len() as f64).max(1.0)
-}
-
-/// A cell's parts, on their own.
-struct Parts {
-    side: u32,
-    /// Where each part's list ends in `entries`.
-    ends: Vec<u32>,
-    entries: Vec<u32>,
-}
-
-impl Parts {
-    /// Of a cell with these pieces, no more than `most` per side; `listed` is a buffer.
-    fn of(
-        curves: Curves<'_>,
-        cell: Raster,
-        pieces: &[u32],
-        most: f64,
-        listed: &mut Vec<[u32; 2]>,
-    ) -> Self {
-        let side = (pieces.len() as f64 / PER_PART).sqrt().ceil();
-        let raster = cell.parted(cell_number(side.clamp(1.0, most)));
-        listed.clear();
-        for &piece in pieces {
-            let control = curves.control(piece as usize);
-            raster.for_each_cell(&control, |part| listed.push([part, piece]));
-        }
-        // Each part's next place, which at last is where its list ends.
-        let mut ends = vec![0; raster.count()];
-        for &[part, _] in &*listed {
-            ends[part as usize] += 1;
-        }
-        let mut before = 0;
-        for end in &mut ends {
-            before += core::mem::replace(end, before);
-        }
-        let mut entries = vec![0; listed.len()];
-        for &[part, piece] in &*listed {
-            let place = &mut ends[part as usize];
-            entries[*place as usize] = piece;
-            *place += 1;
-        }
-        Self {
-            side: raster.columns,
-            ends,
-            entries,
-        }
-    }
+/// How many pieces cross each cell.
+fn count_in_cells(curves: Curves<'_>, raster: Raster) -> Vec<u32> {
+    let counts: Vec<AtomicU32> = (0..raster.count()).map(|_| AtomicU32::new(0)).collect();
+    (0..curves.pieces.len()).into_par_iter().for_each(|piece| {
+        raster.for_each_cell(&curves.control(piece), |cell| {
+            counts[cell as usize].fetch_add(1, Ordering::Relaxed);
+        });
+    });
+    counts.into_iter().map(AtomicU32::into_inner).collect()
 }
 
 pub(super) fn number(count: usize) -> u32 {

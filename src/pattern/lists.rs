@@ -1,5 +1,8 @@
 //! What lies in each of many cells, sorted by cell on all cores; the same on any number of them.
 
+use super::grid::number;
+use bytemuck::Zeroable;
+use bytemuck::allocation::zeroed_vec;
 use rayon::prelude::*;
 
 /// Cells are sorted in so many groups, each small enough for a processor's own memory.
@@ -11,17 +14,9 @@ const PORTION: usize = 1 << 16;
 /// Items of each cell, in the order of their sources.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lists<T> {
-    groups: Vec<Group<T>>,
-    /// A group is 2 to the power of this cells.
-    shift: u32,
-}
-
-/// Neighbouring cells.
-#[derive(Clone, Debug)]
-struct Group<T> {
     /// Where each cell's items start; one more than there are cells.
-    starts: Vec<u32>,
-    items: Vec<T>,
+    pub starts: Vec<u32>,
+    pub items: Vec<T>,
 }
 
 /// Takes items of some sources, group by group.
@@ -38,7 +33,7 @@ impl<T> Sink<T> {
     }
 }
 
-impl<T: Copy + Default + Send + Sync> Lists<T> {
+impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
     /// What `sort_in` puts into so many cells for each source from 0 to `sources`.
     pub(crate) fn new(
         cells: usize,
@@ -60,65 +55,88 @@ impl<T: Copy + Default + Send + Sync> Lists<T> {
                 sink
             })
             .collect();
-        let groups = (0..count).into_par_iter().map(|group| {
-            let items = || portions.iter().flat_map(move |sink| &sink.groups[group]);
-            Group::new(1 << shift, items)
-        });
-        Self {
-            groups: groups.collect(),
-            shift,
+        let of_group = |group: usize| portions.iter().map(move |sink| sink.groups[group].len());
+        let lengths = (0..count).map(|group| of_group(group).sum());
+        let lengths: Vec<usize> = lengths.collect();
+        let mut lists = Self {
+            starts: vec![0; cells + 1],
+            items: zeroed_vec(lengths.iter().sum()),
+        };
+        let starts = lists.starts[..cells].chunks_mut(1 << shift);
+        let (mut rest, mut before) = (&mut lists.items[..], 0);
+        let mut groups = Vec::new();
+        for (length, starts) in lengths.into_iter().zip(starts) {
+            let (items, behind) = rest.split_at_mut(length);
+            groups.push((before, starts, items));
+            rest = behind;
+            before += number(length);
         }
+        let groups = groups.into_par_iter().enumerate();
+        groups.for_each(|(group, (before, starts, items))| {
+            let all = || portions.iter().flat_map(|sink| &sink.groups[group]);
+            sort(before, starts, items, all);
+        });
+        lists.starts[cells] = before;
+        lists
     }
 
     /// Of these items, each behind its cell's number.
     pub(crate) fn few(cells: usize, items: &[(u32, T)]) -> Self {
-        let shift = cells.next_power_of_two().ilog2();
-        let group = Group::new(1 << shift, || items.iter());
-        Self {
-            groups: vec![group],
-            shift,
-        }
+        let mut lists = Self {
+            starts: vec![0; cells + 1],
+            items: zeroed_vec(items.len()),
+        };
+        sort(0, &mut lists.starts, &mut lists.items, || items.iter());
+        lists.starts[cells] = number(items.len());
+        lists
     }
 
     /// A cell's items.
     pub(crate) fn of(&self, cell: usize) -> &[T] {
-        let group = &self.groups[cell >> self.shift];
-        let own = cell & ((1 << self.shift) - 1);
-        &group.items[group.starts[own] as usize..group.starts[own + 1] as usize]
-    }
-
-    /// How many items there are.
-    pub(crate) fn len(&self) -> usize {
-        self.groups.iter().map(|group| group.items.len()).sum()
+        &self.items[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 }
 
-impl<T: Copy + Default> Group<T> {
-    fn new<'a, I>(cells: usize, items: impl Fn() -> I) -> Self
-    where
-        I: Iterator<Item = &'a (u32, T)>,
-        T: 'a,
-    {
-        let own = |cell: u32| cell as usize & (cells - 1);
-        let mut starts = vec![0; cells + 1];
-        for &(cell, _) in items() {
-            starts[own(cell) + 1] += 1;
-        }
-        for cell in 0..cells {
-            starts[cell + 1] += starts[cell];
-        }
-        let mut next = starts.clone();
-        let mut sorted = vec![T::default(); starts[cells] as usize];
-        for &(cell, item) in items() {
-            let place = &mut next[own(cell)];
-            sorted[*place as usize] = item;
-            *place += 1;
-        }
-        Self {
-            starts,
-            items: sorted,
-        }
+/// Sorts the items of neighbouring cells, `before` which there are so many others; a power of two of cells, or all.
+fn sort<'a, T: Copy + 'a, I: Iterator<Item = &'a (u32, T)>>(
+    before: u32,
+    starts: &mut [u32],
+    sorted: &mut [T],
+    items: impl Fn() -> I,
+) {
+    // Cells count from the first of the group, at a multiple of its size.
+    let size = starts.len().next_power_of_two();
+    let own = |cell: u32| cell as usize & (size - 1);
+    for (cell, _) in items() {
+        starts[own(*cell)] += 1;
     }
+    let mut next = before;
+    for start in &mut *starts {
+        next += core::mem::replace(start, next);
+    }
+    let mut next = starts.to_vec();
+    for (cell, item) in items() {
+        let place = &mut next[own(*cell)];
+        sorted[(*place - before) as usize] = *item;
+        *place += 1;
+    }
+}
+
+/// Parts one after the other, copied on all cores.
+pub(crate) fn joined<T: Copy + Zeroable + Send + Sync>(parts: &[impl AsRef<[T]> + Sync]) -> Vec<T> {
+    let parts = parts.iter().map(AsRef::as_ref);
+    let mut all = zeroed_vec(parts.clone().map(<[T]>::len).sum());
+    let mut rest = &mut all[..];
+    let mut pairs = Vec::new();
+    for part in parts.flat_map(|part| part.chunks(PORTION)) {
+        let (place, behind) = rest.split_at_mut(part.len());
+        pairs.push((place, part));
+        rest = behind;
+    }
+    pairs
+        .into_par_iter()
+        .for_each(|(place, part)| place.copy_from_slice(part));
+    all
 }
 
 #[cfg(test)]
@@ -136,7 +154,7 @@ mod tests {
                     sink.put(0, source);
                 }
             });
-            assert_eq!(lists.len(), 200_000 + 66_667);
+            assert_eq!(lists.items.len(), 200_000 + 66_667);
             for cell in 0..cells {
                 let truth = (0..200_000).flat_map(|source| {
                     let here = usize::from(place(source) == cell);

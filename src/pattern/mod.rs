@@ -7,6 +7,7 @@
 mod along;
 mod builder;
 mod caps;
+mod chords;
 mod closest;
 mod course;
 mod crossings;

@@ -8,9 +8,10 @@ use super::Pattern;
 use super::grid::number;
 use super::lists::{Lists, Sink};
 use super::raster::{Extents, Raster};
-use super::strip::{Strip, crossed};
+use super::strip::{Strip, crossed, for_each_quarter};
+use crate::single;
 use core::sync::atomic::{AtomicU32, Ordering};
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 use rayon::prelude::*;
 
 /// Strips in a cell to begin with.
@@ -20,10 +21,10 @@ const PER_CELL: f64 = 1024.0;
 const MOST_CELLS_PER_STRIP: f64 = 4.0;
 
 /// Parts with no more strips than this are not divided.
-const FEW: usize = 64;
+const FEW: usize = 96;
 
 /// Strips that a part should have, where more are divided.
-const PER_PART: f64 = 32.0;
+const PER_PART: f64 = 48.0;
 
 /// Parts per side of what is divided in one go.
 const MOST_PER_SIDE: f64 = 64.0;
@@ -44,6 +45,9 @@ const SHORT: f64 = 0.25;
 /// What covers a quarter is added up as the negative logarithm of what is left, in whole numbers: their sum is the
 /// same in any order.
 const UNIT: f64 = (1 << 20) as f64;
+
+/// Rounding to single precision moves a place by less than this share of its coordinates, thrice.
+const SINGLE: f64 = 1e-6;
 
 /// A quarter of which no more than exp(-8) is left is hidden.
 const HIDDEN: f64 = 8.0;
@@ -78,25 +82,19 @@ fn shares_left(strips: &[Strip]) -> Vec<[u8; 4]> {
     let cells = Lists::new(raster.count(), count, |i, sink: &mut Sink<u32>| {
         let strip = &strips[i];
         if strip.half_width > 0.0 {
-            let control = [strip.start, strip.start, strip.end, strip.end];
             let listed = |cell| sink.put(cell, number(i));
-            raster.for_each_cell_within(strip.half_width, &control, listed);
+            raster.for_each_cell_within(strip.half_width, [strip.start, strip.end], listed);
         }
     });
     (0..raster.count())
         .into_par_iter()
-        .for_each_init(Part::default, |part, cell| {
-            let list = cells.of(cell);
-            let all: Vec<u32> = (0..number(list.len())).collect();
-            let cell_of = Cell {
-                lines: list
-                    .iter()
-                    .map(|&i| Line::of(i, &strips[i as usize]))
-                    .collect(),
-                covered: &covered,
-            };
-            let room = MOST_LISTED * list.len() as f64;
-            cell_of.share_out(part, &all, raster.corners(cell), room);
+        .for_each_init(Part::default, |part, i| {
+            let bounds = raster.corners(i);
+            let cell = Cell::of(cells.of(i), strips, bounds);
+            let all: Vec<u32> = (0..number(cell.lines.len())).collect();
+            let room = MOST_LISTED * all.len() as f64;
+            cell.share_out(part, &all, bounds, room);
+            cell.add_to(&covered);
         });
     covered
         .par_iter()
@@ -105,6 +103,7 @@ fn shares_left(strips: &[Strip]) -> Vec<[u8; 4]> {
 }
 
 /// A strip where pairs are looked for.
+#[derive(Clone, Copy)]
 struct Line {
     number: u32,
     strip: Strip,
@@ -113,6 +112,10 @@ struct Line {
     normal: DVec2,
     offset: f64,
 }
+
+/// A strip, or a part of one, relative to the middle of its cell, for a first look: start, end, normal, offset and half
+/// width, with what rounding may take.
+type Rough = [f32; 8];
 
 impl Line {
     fn of(number: u32, strip: &Strip) -> Self {
@@ -126,31 +129,65 @@ impl Line {
         }
     }
 
-    fn side(&self, place: DVec2) -> f64 {
-        self.normal.dot(place) - self.offset
+    /// Seen from the middle of a box.
+    fn rough(&self, [low, high]: [DVec2; 2]) -> Rough {
+        let (middle, normal) = (0.5 * (low + high), self.normal);
+        let [start, end] = [self.strip.start - middle, self.strip.end - middle];
+        let farthest = start.abs().max(end.abs()).max(high - middle).max_element();
+        let half_width = self.strip.half_width + SINGLE * farthest;
+        let offset = normal.dot(start);
+        [
+            start.x, start.y, end.x, end.y, normal.x, normal.y, offset, half_width,
+        ]
+        .map(single)
     }
 
-    /// How far another strip keeps to one side of this one, or this one to one side of it.
-    fn gap(&self, other: &Self) -> f64 {
-        let own = [self.strip.start, self.strip.end].map(|end| other.side(end));
-        let theirs = [other.strip.start, other.strip.end].map(|end| self.side(end));
-        greater(beside(own[0], own[1]), beside(theirs[0], theirs[1]))
-            - (self.strip.half_width + other.strip.half_width)
+    fn side(&self, place: DVec2) -> f64 {
+        self.normal.dot(place) - self.offset
     }
 }
 
 /// Strips of a cell, all that parts of it list by their places here.
-struct Cell<'p> {
+struct Cell {
     lines: Vec<Line>,
-    covered: &'p [Covered],
+    roughs: Vec<Rough>,
+    covered: Vec<Covered>,
+    middle: DVec2,
 }
 
-impl Cell<'_> {
+impl Cell {
+    fn of(list: &[u32], strips: &[Strip], bounds: [DVec2; 2]) -> Self {
+        // All at once: many are waited for at the same time.
+        let strips: Vec<Strip> = list.iter().map(|&i| strips[i as usize]).collect();
+        let line = |(&i, strip)| Line::of(i, strip);
+        let lines: Vec<Line> = list.iter().zip(&strips).map(line).collect();
+        let mut covered = Vec::new();
+        covered.resize_with(list.len(), Covered::default);
+        Self {
+            roughs: lines.iter().map(|line| line.rough(bounds)).collect(),
+            lines,
+            covered,
+            middle: 0.5 * (bounds[0] + bounds[1]),
+        }
+    }
+
+    /// Adds what covers its strips.
+    fn add_to(&self, all: &[Covered]) {
+        for (line, covered) in self.lines.iter().zip(&self.covered) {
+            for (sum, own) in all[line.number as usize].iter().zip(covered) {
+                let own = own.load(Ordering::Relaxed);
+                if own > 0 && sum.load(Ordering::Relaxed) < FULL {
+                    sum.fetch_add(own.min(HIDDEN_UNITS), Ordering::Relaxed);
+                }
+            }
+        }
+    }
+
     /// Looks for pairs among strips in a box, which may be listed `room` times in all.
     fn share_out(&self, part: &mut Part, list: &[u32], [low, high]: [DVec2; 2], room: f64) {
         let per_side = self.parts_per_side(list, high - low, room);
         if per_side < 2.0 {
-            part.fill(self, list);
+            part.fill(self, list, [low, high]);
             part.pairs(self, [low, high]);
             return;
         }
@@ -162,8 +199,7 @@ impl Cell<'_> {
                 end,
                 half_width,
             } = self.lines[i as usize].strip;
-            let control = [start, start, end, end];
-            raster.for_each_cell_within(half_width, &control, |part| listed.push((part, i)));
+            raster.for_each_cell_within(half_width, [start, end], |part| listed.push((part, i)));
         }
         let lists = Lists::few(raster.count(), &listed);
         let look = |part: &mut Part, number: usize| {
@@ -212,44 +248,37 @@ impl Cell<'_> {
 #[derive(Default)]
 struct Part {
     list: Vec<u32>,
-    starts: [Vec<f64>; 2],
-    ends: [Vec<f64>; 2],
-    normals: [Vec<f64>; 2],
-    offsets: Vec<f64>,
-    half_widths: Vec<f64>,
-    gaps: Vec<f64>,
+    lines: Vec<Line>,
+    rough: [Vec<f32>; 8],
+    gaps: Vec<f32>,
+    near: Vec<u32>,
 }
 
 impl Part {
-    fn fill(&mut self, cell: &Cell<'_>, list: &[u32]) {
-        let pairs = [&mut self.starts, &mut self.ends, &mut self.normals];
-        let single = [&mut self.offsets, &mut self.half_widths, &mut self.gaps];
-        pairs
-            .into_iter()
-            .flatten()
-            .chain(single)
-            .for_each(Vec::clear);
+    fn fill(&mut self, cell: &Cell, list: &[u32], within: [DVec2; 2]) {
+        let within = within.map(|corner| (corner - cell.middle).as_vec2());
         self.list.clear();
         self.list.extend(list);
+        self.lines.clear();
+        let lines = list.iter().map(|&i| cell.lines[i as usize]);
+        self.lines.extend(lines);
+        self.rough.iter_mut().for_each(Vec::clear);
         for &i in list {
-            let line = &cell.lines[i as usize];
-            for axis in 0..2 {
-                self.starts[axis].push(line.strip.start[axis]);
-                self.ends[axis].push(line.strip.end[axis]);
-                self.normals[axis].push(line.normal[axis]);
+            let numbers = cut_off(cell.roughs[i as usize], within);
+            for (all, number) in self.rough.iter_mut().zip(numbers) {
+                all.push(number);
             }
-            self.offsets.push(line.offset);
-            self.half_widths.push(line.strip.half_width);
         }
         self.gaps.resize(list.len(), 0.0);
+        self.near.resize(list.len(), 0);
     }
 
     /// Adds what covers each strip, of the pairs whose place lies in the box.
-    fn pairs(&mut self, cell: &Cell<'_>, within: [DVec2; 2]) {
+    fn pairs(&mut self, cell: &Cell, within: [DVec2; 2]) {
         let count = self.list.len();
         for i in 0..count.saturating_sub(1) {
-            let line = &cell.lines[self.list[i] as usize];
-            let covered = &cell.covered[line.number as usize];
+            let line = &self.lines[i];
+            let covered = &cell.covered[self.list[i] as usize];
             // Whatever else covers it: nothing is left.
             if covered
                 .iter()
@@ -260,94 +289,138 @@ impl Part {
             let later = count - 1 - i;
             let stride = later.div_ceil(MOST_LATER);
             let mut sums = [0.0; 4];
+            let mut add = |j: usize, weight: f64| {
+                let other = &self.lines[j];
+                if other.number != line.number + 1 {
+                    add_lost(&mut sums, weight, line, other, within);
+                }
+            };
             if stride == 1 {
-                self.look_for(i);
-            }
-            for j in (i + 1..count).step_by(stride) {
-                let other = &cell.lines[self.list[j] as usize];
-                let gap = if stride == 1 {
-                    self.gaps[j]
-                } else {
-                    line.gap(other)
-                };
-                if gap > 0.0 || other.number == line.number + 1 {
-                    continue;
-                }
-                let weight = stride.min(count - j) as f64;
-                for (sum, share) in sums.iter_mut().zip(shares(line, other, within)) {
-                    *sum += weight * lost(share);
+                let near = look_for(i, &self.rough, &mut self.gaps, &mut self.near);
+                near.iter().for_each(|&j| add(i + 1 + j as usize, 1.0));
+            } else {
+                for j in (i + 1..count).step_by(stride) {
+                    let [own, theirs] = [i, j].map(|i| self.rough.each_ref().map(|all| all[i]));
+                    if gap(own, theirs) <= 0.0 {
+                        add(j, stride.min(count - j) as f64);
+                    }
                 }
             }
-            add(covered, sums);
-        }
-    }
-
-    /// [`Line::gap`] of strip `i` and each later one.
-    fn look_for(&mut self, i: usize) {
-        let count = self.list.len();
-        let [ax, ay] = [self.starts[0][i], self.starts[1][i]];
-        let [bx, by] = [self.ends[0][i], self.ends[1][i]];
-        let [nx, ny] = [self.normals[0][i], self.normals[1][i]];
-        let (offset, half_width) = (self.offsets[i], self.half_widths[i]);
-        let [starts_x, starts_y] = self.starts.each_ref().map(|v| &v[i + 1..count]);
-        let [ends_x, ends_y] = self.ends.each_ref().map(|v| &v[i + 1..count]);
-        let [normals_x, normals_y] = self.normals.each_ref().map(|v| &v[i + 1..count]);
-        let offsets = &self.offsets[i + 1..count];
-        let half_widths = &self.half_widths[i + 1..count];
-        let gaps = &mut self.gaps[i + 1..count];
-        for j in 0..gaps.len() {
-            let (mx, my, other) = (normals_x[j], normals_y[j], offsets[j]);
-            let own = beside(mx * ax + my * ay - other, mx * bx + my * by - other);
-            let theirs = beside(
-                nx * starts_x[j] + ny * starts_y[j] - offset,
-                nx * ends_x[j] + ny * ends_y[j] - offset,
-            );
-            gaps[j] = greater(own, theirs) - (half_width + half_widths[j]);
+            add_units(covered, sums);
         }
     }
 }
 
-/// What a later strip covers of the quarters of another, if they meet in the box.
-fn shares(a: &Line, b: &Line, [low, high]: [DVec2; 2]) -> [f64; 4] {
-    let holds = |p: DVec2| p.cmpge(low).all() && p.cmplt(high).all();
+/// Which strips after number `i` may touch it, counted from there.
+fn look_for<'n>(
+    i: usize,
+    rough: &[Vec<f32>; 8],
+    gaps: &mut [f32],
+    near: &'n mut [u32],
+) -> &'n [u32] {
+    let own = rough.each_ref().map(|numbers| numbers[i]);
+    let gaps = &mut gaps[i + 1..];
+    let later = rough.each_ref().map(|all| &all[i + 1..][..gaps.len()]);
+    for (j, between) in gaps.iter_mut().enumerate() {
+        *between = gap(own, later.map(|numbers| numbers[j]));
+    }
+    // Written at once and kept or not: no branch to guess.
+    let mut count = 0;
+    for (j, gap) in (0..).zip(&*gaps) {
+        near[count] = j;
+        count += usize::from(*gap <= 0.0);
+    }
+    &near[..count]
+}
+
+/// How far either of two strips keeps to one side of the other.
+fn gap(a: Rough, b: Rough) -> f32 {
+    // Of a strip's ends from the other's centre line.
+    let sides = |a: Rough, b: Rough| {
+        let [start_x, start_y, end_x, end_y, ..] = a;
+        let [.., x, y, offset, _] = b;
+        beside(
+            x * start_x + y * start_y - offset,
+            x * end_x + y * end_y - offset,
+        )
+    };
+    greater(sides(a, b), sides(b, a)) - (a[7] + b[7])
+}
+
+/// A strip without what lies further than its half width outside a box: only pairs that may meet there stay near.
+fn cut_off(strip: Rough, [low, high]: [Vec2; 2]) -> Rough {
+    let [x, y, end_x, end_y, .., half_width] = strip;
+    let (start, reach) = (Vec2::new(x, y), Vec2::splat(half_width));
+    let step = Vec2::new(end_x, end_y) - start;
+    let per_step = step.recip();
+    let [a, b] = [low - reach, high + reach].map(|border| (border - start) * per_step);
+    // Of a strip along a border, no number at all: it is kept whole.
+    let from = a.x.min(b.x).max(a.y.min(b.y)).max(0.0);
+    let to = a.x.max(b.x).min(a.y.max(b.y)).min(1.0).max(from);
+    let (first, last) = (start + from * step, start + to * step);
+    let [.., normal_x, normal_y, offset, _] = strip;
+    [
+        first.x, first.y, last.x, last.y, normal_x, normal_y, offset, half_width,
+    ]
+}
+
+/// Adds what a later strip covers of the quarters of another, if they meet in the box, `weight` times.
+#[inline(always)]
+fn add_lost(sums: &mut [f64; 4], weight: f64, a: &Line, b: &Line, [low, high]: [DVec2; 2]) {
     let sin = a.normal.perp_dot(b.normal).abs();
     let widths = 2.0 * (a.strip.half_width + b.strip.half_width);
     if SHORT * sin * a.length.min(b.length) < widths {
-        let cover = a.strip.covered_by(&b.strip);
-        let cover = cover.filter(|cover| holds(cover.place));
-        return cover.map_or([0.0; 4], |cover| cover.quarters);
+        return add_lost_along(sums, weight, a, b, [low, high]);
     }
     let [from, to] = [a.strip.start, a.strip.end].map(|end| b.side(end));
     let theirs = [b.strip.start, b.strip.end].map(|end| a.side(end));
     // Where one piece ends and the next begins, one of them crosses.
-    if (from >= 0.0) == (to >= 0.0) || (theirs[0] >= 0.0) == (theirs[1] >= 0.0) {
-        return [0.0; 4];
+    if ((from >= 0.0) == (to >= 0.0)) | ((theirs[0] >= 0.0) == (theirs[1] >= 0.0)) {
+        return;
     }
     let place = from / (from - to);
-    if holds(a.strip.start.lerp(a.strip.end, place)) {
-        crossed(place, b.strip.half_width / (sin * a.length))
-    } else {
-        [0.0; 4]
+    if is_within(a.strip.start.lerp(a.strip.end, place), [low, high]) {
+        let covered = crossed(place, b.strip.half_width / (sin * a.length));
+        for_each_quarter(covered, |quarter, share| {
+            sums[quarter] += weight * lost(share);
+        });
     }
+}
+
+/// The same, of strips that run side by side.
+#[inline(never)]
+fn add_lost_along(sums: &mut [f64; 4], weight: f64, a: &Line, b: &Line, within: [DVec2; 2]) {
+    let cover = a.strip.covered_by(&b.strip);
+    if let Some(cover) = cover.filter(|cover| is_within(cover.place, within)) {
+        for (sum, share) in sums.iter_mut().zip(cover.quarters) {
+            *sum += weight * lost(share);
+        }
+    }
+}
+
+/// Whether a place lies in a box: on a border that two share, in one.
+fn is_within(place: DVec2, [low, high]: [DVec2; 2]) -> bool {
+    place.cmpge(low).all() && place.cmplt(high).all()
 }
 
 /// The negative logarithm of what is left once this share is covered.
 fn lost(share: f64) -> f64 {
-    // The series is as good and takes less.
-    if share < 0.01 {
-        share * (1.0 + share * (0.5 + share / 3.0))
-    } else {
-        -(1.0 - share.min(1.0)).ln()
+    if share > 0.3 {
+        return -(1.0 - share.min(1.0)).ln();
     }
+    // The series is as good and takes less: of the inverse hyperbolic tangent.
+    let z = share / (2.0 - share);
+    let square = z * z;
+    2.0 * z * (1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0 + square / 7.0)))
 }
 
 /// How far two places keep to one side of a line: not above 0 if they lie on both.
-fn beside(a: f64, b: f64) -> f64 {
+fn beside(a: f32, b: f32) -> f32 {
     greater(-greater(a, b), -greater(-a, -b))
 }
 
-/// As [`f64::max`], but of numbers alone: one instruction.
-fn greater(a: f64, b: f64) -> f64 {
+/// As [`f32::max`], but of numbers alone: one instruction.
+fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
@@ -357,7 +430,7 @@ fn greater(a: f64, b: f64) -> f64 {
     clippy::cast_sign_loss,
     reason = "from 0 to HIDDEN"
 )]
-fn add(covered: &Covered, sums: [f64; 4]) {
+fn add_units(covered: &Covered, sums: [f64; 4]) {
     for (covered, sum) in covered.iter().zip(sums) {
         if sum > 0.0 && covered.load(Ordering::Relaxed) < FULL {
             let units = (sum.min(HIDDEN) * UNIT + 0.5) as u32;

@@ -4,6 +4,7 @@ use super::builder::PatternBuilder;
 use super::course::Course;
 use super::grid::Grid;
 use super::hosts::Hosts;
+use super::lists::joined;
 use super::overlap::visible_shares;
 use super::palette::Palette;
 use super::pieces::{Curves, Piece};
@@ -67,19 +68,20 @@ pub(super) struct Strand {
 
 impl Pattern {
     pub(super) fn of(builder: &PatternBuilder) -> Self {
+        let PatternBuilder { plate, kept } = builder;
         let mut tracks = Tracks::default();
-        let shared = builder.kinds.tracks();
-        shared.iter().chain(&builder.own).for_each(|track| {
+        let shared = kept.kinds.tracks();
+        shared.iter().chain(&kept.own).for_each(|track| {
             tracks.push(track);
         });
-        let hosts = builder.hosts.clone();
+        let hosts = kept.hosts.clone();
         tracks.change_finishes(|finish| hosts.kept(finish));
         let first_own = u32::try_from(shared.len()).unwrap_or(u32::MAX);
         let strand = |added: &super::builder::Added| Strand {
             track: added.strand.track + if added.is_own { first_own } else { 0 },
             ..added.strand
         };
-        let curves = builder.chains.curves();
+        let curves = kept.chains.curves();
         let grid = Grid::new(curves);
         let smoothest = tracks
             .finishes()
@@ -87,20 +89,20 @@ impl Pattern {
             .map(Finish::alpha)
             .fold(1.0, f32::min);
         let mut pattern = Self {
-            points: curves.points.to_vec().into(),
-            pieces: curves.pieces.to_vec().into(),
-            strands: builder
+            points: joined(&[curves.points]).into(),
+            pieces: joined(&[curves.pieces]).into(),
+            strands: kept
                 .scratches
-                .iter()
+                .par_iter()
                 .map(strand)
                 .collect::<Vec<_>>()
                 .into(),
-            knots: builder.courses.knots().to_vec().into(),
+            knots: kept.courses.knots().to_vec().into(),
             extent: tracks.extent(),
             run_cos: run_cos(smoothest),
-            surface: hosts.kept(Finish::new(&builder.material.surface)),
-            mm_per_scene_unit: builder.mm_per_scene_unit,
-            units_per_uv: builder.units_per_uv,
+            surface: hosts.kept(Finish::new(&plate.material.surface)),
+            mm_per_scene_unit: plate.mm_per_scene_unit,
+            units_per_uv: plate.units_per_uv,
             visible: Store::default(),
             palette: Palette::default(),
             pyramid: Pyramid::default(),
@@ -154,8 +156,8 @@ impl Pattern {
             let places = if a == b { 1 } else { PLACES };
             for i in 0..places {
                 let place = a + (b - a) * (f64::from(i) + 0.5) / f64::from(places);
-                let [left, right] = track.ends(place).map(f64::from);
                 let (station, mix) = track.locate(place);
+                let [left, right] = track.ends_of((station, mix)).map(f64::from);
                 let length = whole * (to - from) / f64::from(places);
                 let (area, mix) = (length * (right - left), f64::from(mix));
                 let first = track.first_station + station;

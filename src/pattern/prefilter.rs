@@ -2,14 +2,14 @@
 //! more scratches than can be looked at one by one.
 
 use super::Pattern;
-use super::caps::ENDS;
-use super::closest::{LengthShares, bezier, tangent};
-use super::crowd::{Crowd, MOST_ENTRIES, Packed, keys};
+use super::chords::{ClassAreas, add_shares};
+use super::crowd::{Crowd, Heading, MOST_ENTRIES, Packed, keys};
 use super::hit::Hit;
-use super::lists::Lists;
+use super::lists::{Lists, Sink};
 use super::query::{Candidates, Reach};
-use super::raster::{Raster, cell_number};
+use super::raster::Raster;
 use super::store::Store;
+use arrayvec::ArrayVec;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use rayon::prelude::*;
@@ -17,17 +17,8 @@ use rayon::prelude::*;
 /// Cells that a pixel's bounding box may touch: a level is chosen for it.
 const MOST_CELLS: u32 = 64;
 
-/// A piece counts as a chain of at most this many straight chords.
-const MOST_CHORDS: f64 = 512.0;
-
-/// A chord turns no more than this.
-const CHORD_RAD: f64 = 0.07;
-
-/// A chord's cross-section changes no more than this share of its size.
-const CHORD_CHANGE: f64 = 0.14;
-
-/// Quarters of a piece of which later scratches leave shares closer than this, 255ths, count with their mean.
-const EVEN: u8 = 5;
+/// Areas of one piece that are gathered before they are sorted by cell.
+const MOST_GATHERED: usize = 32;
 
 /// A pyramid of cells: level 0 are the grid's, each level has half as many per side as the one before.
 #[derive(Clone, Debug, Default)]
@@ -46,15 +37,6 @@ pub(super) struct Level {
     padding: u32,
 }
 
-/// A straight stretch of scratch.
-struct Chord {
-    ends: [DVec2; 2],
-    classes: [(usize, f32); 4],
-    /// Along the scratch, in texture space times units per (u, v).
-    travel: DVec2,
-    area_mm2: f32,
-}
-
 impl Pattern {
     /// What a footprint holds of all scratches, however many; exact while the pieces are.
     pub(crate) fn crowd(&self, reach: &Reach<'_>, candidates: Option<&Candidates>) -> Crowd {
@@ -64,14 +46,12 @@ impl Pattern {
                 let mut last = None;
                 for &number in candidates {
                     let mut is_held = false;
-                    let share = |ends: [DVec2; 2]| {
-                        let ends = ends.map(|uv| reach.place(uv));
-                        reach.footprint.share_of_segment(ends)
-                    };
-                    self.for_each_chord(number as usize, share, |chord| {
-                        is_held = true;
-                        let (classes, travel) = (&chord.classes, chord.travel);
-                        crowd.add(&self.palette, classes, travel, chord.area_mm2);
+                    self.for_each_chord(number as usize, |chord| {
+                        let ends = chord.ends.map(|uv| reach.place(uv));
+                        if let Some(stretch) = reach.footprint.part_of_segment(ends) {
+                            is_held = true;
+                            crowd.add(&self.palette, chord.areas(stretch), chord.travel);
+                        }
                     });
                     let scratch = self.curves().pieces.get(number as usize).map(|p| p.scratch);
                     if is_held && last != scratch {
@@ -96,131 +76,15 @@ impl Pattern {
         // From mm into the pattern's own scale, and back when it is shaded.
         let travel = reach.metric.step_uv(hit.travel) * self.units_per_uv;
         let area_mm2 = area_mm2 * travel.length() * self.mm_per_scene_unit;
+        let mut areas = ClassAreas::default();
         let classes = hit.track.classes(hit.place);
-        crowd.add(&self.palette, &classes, travel, crate::single(area_mm2));
-    }
-
-    /// Calls `visit` with the chords of a piece of which a share counts, each with that share of its area.
-    fn for_each_chord(
-        &self,
-        number: usize,
-        share: impl Fn([DVec2; 2]) -> f64,
-        mut visit: impl FnMut(Chord),
-    ) {
-        let curves = self.curves();
-        let Some((track, course)) = curves
-            .pieces
-            .get(number)
-            .and_then(|piece| self.strand(piece.scratch))
-        else {
-            return;
-        };
-        let (control, [from, to]) = (curves.control(number), curves.at(number));
-        let scaled = control.map(|p| p * self.units_per_uv);
-        let visible = evened(self.visible(number));
-        let is_even = visible.iter().all(|quarter| *quarter == visible[0]);
-        let turn_rad = turn_rad(&scaled);
-        let lengths = LengthShares::of(&scaled);
-        let (mut start, mut first_t) = (control[0], 0.0);
-        // Between two turns of its course the cross-section changes one way.
-        for [[_, first], [at, last]] in course.turns(from, to) {
-            let last_t = match at < to {
-                true => lengths.parameter((at - from) / (to - from)),
-                false => 1.0,
-            };
-            let span = last_t - first_t;
-            let change = (track.change(last) - track.change(first)).abs();
-            let needed = (span * turn_rad / CHORD_RAD)
-                .max(change / CHORD_CHANGE)
-                .max(if is_even { 1.0 } else { 4.0 * span });
-            let count = cell_number(needed.ceil().clamp(1.0, MOST_CHORDS));
-            let place = |t: f64| course.value(from + (to - from) * lengths.at(t));
-            for i in 0..count {
-                let t = |i: f64| first_t + span * i / f64::from(count);
-                let ends = [start, bezier(&control, t(f64::from(i + 1)))];
-                start = ends[1];
-                let share = share(ends);
-                if share <= 0.0 {
-                    continue;
-                }
-                let middle_t = t(f64::from(i) + 0.5);
-                let (sides, classes) = track.ends_and_classes(place(middle_t));
-                let mean_width = if change > 0.0 {
-                    track.mean_width(place(t(f64::from(i))), place(t(f64::from(i + 1))))
-                } else {
-                    f64::from(sides[1] - sides[0])
-                };
-                let travel = (ends[1] - ends[0]) * self.units_per_uv;
-                let visible = visible[cell_number(4.0 * middle_t).min(3) as usize];
-                let area_mm2 = travel.length() * self.mm_per_scene_unit * mean_width * share;
-                visit(Chord {
-                    ends,
-                    classes,
-                    travel,
-                    area_mm2: crate::single(area_mm2 * visible),
-                });
-            }
-            first_t = last_t;
-        }
-        self.for_each_cap_chord(number, share, &mut visit);
-    }
-
-    /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis.
-    fn for_each_cap_chord(
-        &self,
-        number: usize,
-        share: impl Fn([DVec2; 2]) -> f64,
-        visit: &mut impl FnMut(Chord),
-    ) {
-        let curves = self.curves();
-        let visible = self.visible(number);
-        for (end, visible) in ENDS.into_iter().zip([visible[0], visible[3]]) {
-            let visible = f64::from(visible) / 255.0;
-            let Some(cap) = self.cap_at(number, end) else {
-                continue;
-            };
-            let Some((track, _)) = self.strand(curves.pieces[number].scratch) else {
-                continue;
-            };
-            let control = curves.control(number);
-            let ends = [bezier(&control, cap.at); 2];
-            let share = share(ends);
-            if share <= 0.0 {
-                continue;
-            }
-            let scaled = control.map(|p| p * self.units_per_uv);
-            let classes = track.classes(cap.place);
-            for sector in cap.sectors() {
-                let [_, _, axis] = sector.wedge.directions(tangent(&scaled, cap.at));
-                visit(Chord {
-                    ends,
-                    classes,
-                    travel: axis.perp(),
-                    area_mm2: crate::single(sector.area_mm2() * visible * share),
-                });
-            }
-        }
+        add_shares(&mut areas, &classes, crate::single(area_mm2));
+        crowd.add(&self.palette, areas, travel);
     }
 }
 
-/// How much a piece turns, and no less.
-fn turn_rad([a, b, c, d]: &[DVec2; 4]) -> f64 {
-    let (first, middle, last) = (b - a, c - b, d - c);
-    first.angle_to(last).abs() + first.angle_to(middle).abs()
-}
-
-/// What is left of each quarter, as a share; their mean, if they differ little.
-fn evened(visible: [u8; 4]) -> [f64; 4] {
-    let (low, high) = (visible.into_iter().min(), visible.into_iter().max());
-    let visible = visible.map(|quarter| f64::from(quarter) / 255.0);
-    match (low, high) {
-        (Some(low), Some(high)) if high - low > EVEN => visible,
-        _ => [0.25 * visible.iter().sum::<f64>(); 4],
-    }
-}
-
-/// What one chord has in one cell of one key of a crowd.
-#[derive(Clone, Copy, Debug, Default)]
+/// What one piece has in one cell of one key of a crowd.
+#[derive(Clone, Copy, Debug, Zeroable)]
 struct Held {
     area_mm2: f32,
     key: u16,
@@ -235,17 +99,59 @@ impl Held {
         clippy::cast_possible_truncation,
         reason = "from -1/2 to 1/2 of PLACES"
     )]
-    fn new(key: usize, area_mm2: f32, place: f32) -> Self {
+    fn new(gathered: &Gathered) -> Self {
+        let place = Self::PLACES * gathered.moment / gathered.area_mm2;
         Self {
-            area_mm2,
-            key: u16::try_from(key).unwrap_or(0),
-            place: (Self::PLACES * place).round() as i16,
+            area_mm2: gathered.area_mm2,
+            key: u16::try_from(gathered.key).unwrap_or(0),
+            place: (place + f32::copysign(0.5, place)) as i16,
         }
     }
 
     fn add_to(self, crowd: &mut Crowd) {
         let place = f32::from(self.place) / Self::PLACES;
         crowd.add_to(self.key.into(), self.area_mm2, self.area_mm2 * place);
+    }
+}
+
+/// The same while chord after chord is added: area, and area times the place within the direction's step.
+struct Gathered {
+    cell: u32,
+    key: usize,
+    area_mm2: f32,
+    moment: f32,
+}
+
+/// What one piece has in all cells.
+#[derive(Default)]
+struct OfPiece(ArrayVec<Gathered, MOST_GATHERED>);
+
+impl OfPiece {
+    fn add(&mut self, cell: u32, (key, area_mm2, place): (usize, f32, f32), sink: &mut Sink<Held>) {
+        let moment = area_mm2 * place;
+        let known = self.0.iter_mut().rev();
+        for known in known {
+            if known.cell == cell && known.key == key {
+                known.area_mm2 += area_mm2;
+                known.moment += moment;
+                return;
+            }
+        }
+        if self.0.is_full() {
+            self.put(sink);
+        }
+        self.0.push(Gathered {
+            cell,
+            key,
+            area_mm2,
+            moment,
+        });
+    }
+
+    fn put(&mut self, sink: &mut Sink<Held>) {
+        for gathered in self.0.drain(..) {
+            sink.put(gathered.cell, Held::new(&gathered));
+        }
     }
 }
 
@@ -260,20 +166,17 @@ impl Pyramid {
         // Piece by piece, as they lie in memory, and sorted by cell afterwards.
         let pieces = pattern.curves().pieces.len();
         let held = Lists::new(raster.count(), pieces, |number, sink| {
-            pattern.for_each_chord(
-                number,
-                |_| 1.0,
-                |chord| {
-                    raster.for_each_share(chord.ends, |cell, share| {
-                        let area_mm2 = chord.area_mm2 * crate::single(share);
-                        for (key, share, place) in
-                            keys(&pattern.palette, &chord.classes, chord.travel)
-                        {
-                            sink.put(cell, Held::new(key, share * area_mm2, place));
-                        }
-                    });
-                },
-            );
+            let mut piece = OfPiece::default();
+            pattern.for_each_chord(number, |chord| {
+                let heading = Heading::of(chord.travel);
+                raster.for_each_part(chord.ends, |cell, part| {
+                    let areas = chord.areas(part);
+                    for held in keys(&pattern.palette, areas, heading) {
+                        piece.add(cell, held, sink);
+                    }
+                });
+            });
+            piece.put(sink);
         });
         let first: Vec<Vec<Packed>> = (0..raster.count())
             .into_par_iter()

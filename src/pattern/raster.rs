@@ -181,18 +181,29 @@ impl Raster {
 
     /// Calls `visit` with the number of each cell that a curve may cross.
     pub(super) fn for_each_cell(&self, control: &[DVec2; 4], visit: impl FnMut(u32)) {
-        self.for_each_cell_within(0.0, control, visit);
+        let chord = [control[0], control[3]];
+        self.for_each_cell_of(chord, bounds(control), || sagitta(control), visit);
     }
 
-    /// Calls `visit` with the number of each cell that may lie within `reach` of a curve.
+    /// Calls `visit` with the number of each cell that may lie within `reach` of a line.
     pub(super) fn for_each_cell_within(
         &self,
         reach: f64,
-        control: &[DVec2; 4],
+        [a, b]: [DVec2; 2],
+        visit: impl FnMut(u32),
+    ) {
+        let bounds = [a.min(b) - reach, a.max(b) + reach];
+        self.for_each_cell_of([a, b], bounds, || reach, visit);
+    }
+
+    /// Calls `visit` with each cell within these bounds that may lie within `reach` of a chord.
+    fn for_each_cell_of(
+        &self,
+        chord: [DVec2; 2],
+        [low, high]: [DVec2; 2],
+        reach: impl FnOnce() -> f64,
         mut visit: impl FnMut(u32),
     ) {
-        let [low, high] = bounds(control);
-        let [low, high] = [low - reach, high + reach];
         let Some((columns, rows)) = self.touched(low, high) else {
             return;
         };
@@ -204,17 +215,18 @@ impl Raster {
             }
             return;
         }
-        let sagitta = sagitta(control) + reach;
+        let band = self.band(chord, [low, high], reach());
         for row in rows {
-            for column in self.columns_of(control, [low, high], sagitta, row) {
-                visit(row * self.columns + column);
+            let first = row * self.columns;
+            for column in band.columns(row, self.columns - 1) {
+                visit(first + column);
             }
         }
     }
 
-    /// Calls `visit` with each cell that a line crosses, and the share of the line that lies in it; all shares
-    /// make up the line.
-    pub(super) fn for_each_share(&self, [a, b]: [DVec2; 2], mut visit: impl FnMut(u32, f64)) {
+    /// Calls `visit` with each cell that a line crosses, and the part of the line that lies in it, from one share of
+    /// it to another; all parts make up the line.
+    pub(super) fn for_each_part(&self, [a, b]: [DVec2; 2], mut visit: impl FnMut(u32, [f64; 2])) {
         let [from, to] = [a, b].map(|p| (p - self.origin) * self.per_unit);
         let most = DVec2::new(self.columns.into(), self.rows.into()) - 1.0;
         let cell = |p: DVec2| {
@@ -225,13 +237,13 @@ impl Raster {
         let mut before = 0.0;
         let mut put = |upto: f64| {
             if upto > before {
-                visit(cell(from + 0.5 * (before + upto) * step), upto - before);
+                visit(cell(from + 0.5 * (before + upto) * step), [before, upto]);
                 before = upto;
             }
         };
         let mut next = [0, 1].map(|axis| Borders::between(from[axis], to[axis]));
         if next[0].count == 0.0 && next[1].count == 0.0 {
-            return visit(cell(from), 1.0);
+            return visit(cell(from), [0.0, 1.0]);
         }
         loop {
             let at = next.each_ref().map(Borders::place);
@@ -250,27 +262,28 @@ impl Raster {
         put(1.0);
     }
 
-    /// The columns a curve crosses in one row: where its chord, widened by its sagitta, crosses the row.
-    pub(super) fn columns_of(
-        &self,
-        control: &[DVec2; 4],
-        [low, high]: [DVec2; 2],
-        sagitta: f64,
-        row: u32,
-    ) -> RangeInclusive<u32> {
-        let (start, chord) = (control[0], control[3] - control[0]);
-        let bottom = self.origin.y + f64::from(row) / self.per_unit.y - sagitta;
-        let top = self.origin.y + f64::from(row + 1) / self.per_unit.y + sagitta;
-        let (mut from, mut to) = (low.x, high.x);
-        if chord.y.abs() > 1e-12 * chord.x.abs() {
-            let at = |v: f64| ((v - start.y) / chord.y).clamp(0.0, 1.0);
-            let us = [bottom, top].map(|v| start.x + chord.x * at(v));
+    /// A chord, widened by `reach` and cut off at these bounds.
+    fn band(&self, chord: [DVec2; 2], bounds: [DVec2; 2], reach: f64) -> Band {
+        let cells = |p: DVec2| (p - self.origin) * self.per_unit;
+        let [from, to] = bounds.map(cells);
+        let [start, end] = chord.map(cells);
+        let chord = end - start;
+        let reach = reach * self.per_unit;
+        // Level ones cross as many columns in one row as in all.
+        let is_level = chord.y.abs() <= 1e-12 * chord.x.abs();
+        Band {
+            ends: [from.x, to.x],
+            start,
+            slope: if is_level { 0.0 } else { chord.x / chord.y },
+            chord: [start.x.min(end.x), start.x.max(end.x)],
+            reach_y: reach.y,
             // A hair of slack: rounding must not lose a cell.
-            let slack = sagitta + 1e-9 / self.per_unit.x;
-            from = from.max(us[0].min(us[1]) - slack);
-            to = to.min(us[0].max(us[1]) + slack);
+            reach_x: if is_level {
+                f64::INFINITY
+            } else {
+                reach.x + 1e-9
+            },
         }
-        self.cells(from, to, 0)
     }
 
     /// Columns and rows that a box touches, if any.
@@ -290,13 +303,33 @@ impl Raster {
         };
         (touches && self.columns > 0).then(|| (cells(0, self.columns), cells(1, self.rows)))
     }
+}
 
-    /// The cells from `low` to `high` along an axis (0 = columns), clamped to the grid.
-    pub(super) fn cells(&self, low: f64, high: f64, axis: usize) -> RangeInclusive<u32> {
-        let count = [self.columns, self.rows][axis];
-        let cell =
-            |at: f64| cell_number((at - self.origin[axis]) * self.per_unit[axis]).min(count - 1);
-        cell(low)..=cell(high)
+/// A straight band in cells.
+struct Band {
+    /// Where it ends across.
+    ends: [f64; 2],
+    start: DVec2,
+    /// Columns per row.
+    slope: f64,
+    /// Between which columns its middle line lies.
+    chord: [f64; 2],
+    reach_x: f64,
+    reach_y: f64,
+}
+
+impl Band {
+    /// The columns that it touches in a row, no further than the `last`.
+    fn columns(&self, row: u32, last: u32) -> RangeInclusive<u32> {
+        let at = |y: f64| {
+            let x = self.start.x + (y - self.start.y) * self.slope;
+            x.max(self.chord[0]).min(self.chord[1])
+        };
+        let row = f64::from(row);
+        let (bottom, top) = (at(row - self.reach_y), at(row + 1.0 + self.reach_y));
+        let from = (bottom.min(top) - self.reach_x).max(self.ends[0]);
+        let to = (bottom.max(top) + self.reach_x).min(self.ends[1]);
+        cell_number(from).min(last)..=cell_number(to).min(last)
     }
 }
 

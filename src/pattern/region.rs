@@ -134,20 +134,20 @@ impl Region {
         all.then_some(part)
     }
 
-    /// The share of a segment that lies inside (Cyrus and Beck 1978).
-    pub(crate) fn share_of_segment(&self, [a, b]: [DVec2; 2]) -> f64 {
+    /// The part of a segment that lies inside, as shares of it (Cyrus and Beck 1978).
+    pub(crate) fn part_of_segment(&self, [a, b]: [DVec2; 2]) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for (p, q) in self.edges() {
             let edge = q - p;
             let (at_a, at_b) = (edge.perp_dot(a - p), edge.perp_dot(b - p));
             match (at_a < 0.0, at_b < 0.0) {
-                (true, true) => return 0.0,
+                (true, true) => return None,
                 (true, false) => from = from.max(at_a / (at_a - at_b)),
                 (false, true) => to = to.min(at_a / (at_a - at_b)),
                 (false, false) => {}
             }
         }
-        (to - from).max(0.0)
+        (to > from).then_some([from, to])
     }
 
     /// The share of a parallelogram that lies inside.

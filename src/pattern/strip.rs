@@ -1,5 +1,6 @@
 //! A piece of scratch as a straight strip: where two strips overlap.
 
+use super::raster::cell_number;
 use arrayvec::ArrayVec;
 use glam::DVec2;
 
@@ -76,14 +77,30 @@ impl Strip {
     }
 }
 
-/// What a strip that crosses another at `place` covers of its quarters, up to `half` before and behind, all as shares
-/// of its length: a parallelogram, shared out as if it were a rectangle. It counts wholly where the centre lines
-/// cross, and not at all where only edges meet at an end: on average these are the same.
-pub(super) fn crossed(place: f64, half: f64) -> [f64; 4] {
-    let half = half.min(0.5);
-    let middle = place.clamp(half, 1.0 - half);
-    let (from, to) = (4.0 * (middle - half), 4.0 * (middle + half));
-    [0.0, 1.0, 2.0, 3.0].map(|quarter| (to.min(quarter + 1.0) - from.max(quarter)).max(0.0))
+/// Where a strip that crosses another at `place`, up to `half` before and behind as shares of its length, covers it:
+/// from one place to another, in quarters. It is a parallelogram, shared out as if it were a rectangle. It counts
+/// wholly where the centre lines cross, and not at all where only edges meet at an end: on average these are the same.
+pub(super) fn crossed(place: f64, half: f64) -> [f64; 2] {
+    let half = (4.0 * half).min(2.0);
+    let middle = (4.0 * place).clamp(half, 4.0 - half);
+    [middle - half, middle + half]
+}
+
+/// Calls `visit` with each quarter that is covered, and the share of it that is.
+pub(super) fn for_each_quarter([from, to]: [f64; 2], mut visit: impl FnMut(usize, f64)) {
+    let first = cell_number(from).min(3) as usize;
+    let mut start = first as f64;
+    // Most lie in one.
+    if to <= start + 1.0 {
+        return visit(first, to - from);
+    }
+    for quarter in first..4 {
+        let share = to.min(start + 1.0) - from.max(start);
+        if share > 0.0 {
+            visit(quarter, share);
+        }
+        start += 1.0;
+    }
 }
 
 /// The part of a convex polygon where `side` is not negative (Sutherland and Hodgman 1974).
@@ -190,8 +207,8 @@ mod tests {
             let sin = 0.7_f64.sin();
             let place = 0.5 + middle.x - middle.y / 0.7_f64.tan();
             if middle.y.abs() < 0.5 * sin && (0.0..1.0).contains(&place) {
-                let quarters = crossed(place, b.half_width / (sin * a.length()));
-                (0..4).for_each(|i| closed[i] += quarters[i]);
+                let covered = crossed(place, b.half_width / (sin * a.length()));
+                for_each_quarter(covered, |i, share| closed[i] += share);
             }
         }
         for (closed, exact) in closed.into_iter().zip(exact) {

@@ -1,8 +1,10 @@
 //! All cross-sections of a pattern, in flat arrays.
 
 use super::caps::{CapRange, CapRef, Caps, vertices_per_sector};
+use super::grid::number;
 use super::palette::Blend;
 use super::profile::Profile;
+use super::raster::cell_number;
 use super::store::Store;
 use super::track::{MOST_VERTICES, Track};
 use crate::brdf::Finish;
@@ -46,6 +48,9 @@ pub(super) struct Station {
     at: f32,
     /// How much the cross-section has changed since the first station, as a share of the track's largest size.
     change: f32,
+    /// The last station up to this one's share of the way from the first to the last, as its number is a share of
+    /// all: where to look for a place.
+    guide: u32,
 }
 
 /// A layer's lower interface and finish.
@@ -86,7 +91,6 @@ pub(crate) struct TrackRef<'p> {
 impl Tracks {
     /// Appends a track; its number.
     pub(crate) fn push(&mut self, track: &Track) -> u32 {
-        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
         let extent = Extent::of(&track.vertices);
         let caps = track.caps.each_ref().map(|caps| self.caps.append(caps));
         self.records.push(Record {
@@ -102,6 +106,7 @@ impl Tracks {
         });
         let size = Vec2::new(extent.half_width_mm, extent.height_mm).max(Vec2::splat(1e-30));
         let shapes: Vec<&[Vec2]> = track.vertices.chunks(track.vertex_count).collect();
+        let guides = guides(&track.at);
         let mut change = 0.0;
         for (i, &at) in track.at.iter().enumerate() {
             if i > 0 {
@@ -111,9 +116,11 @@ impl Tracks {
                     .map(|(a, b)| (*b - *a) / size);
                 change += steps.fold(0.0, |most: f32, step| most.max(step.abs().max_element()));
             }
+            let at = single(at);
             self.stations.push(Station {
-                at: single(at),
+                at,
                 change,
+                guide: guides[i],
             });
         }
         self.vertices.extend(&track.vertices);
@@ -201,6 +208,22 @@ impl Tracks {
     }
 }
 
+/// For each place the last one up to its share of the way, as its number is a share of all.
+fn guides(at: &[f64]) -> Vec<u32> {
+    let (Some(first), Some(last)) = (at.first(), at.last()) else {
+        return Vec::new();
+    };
+    let step = (last - first) / at.len() as f64;
+    let mut before = 0;
+    let guide = |i: usize| {
+        while before + 1 < at.len() && at[before + 1] <= first + step * i as f64 {
+            before += 1;
+        }
+        number(before)
+    };
+    (0..at.len()).map(guide).collect()
+}
+
 impl Extent {
     pub(super) fn of(vertices: &[Vec2]) -> Self {
         let all = vertices.iter();
@@ -256,11 +279,21 @@ impl<'p> TrackRef<'p> {
     /// The station before a place, and how far the place is on the way to the next.
     pub(crate) fn locate(&self, at: f64) -> (usize, f32) {
         let place = |i: usize| f64::from(self.stations[i].at);
-        let next = self
-            .stations
-            .partition_point(|station| f64::from(station.at) <= at);
+        let final_one = self.stations.len() - 1;
+        let count = self.stations.len() as f64;
+        let share = (at - place(0)) / (place(final_one) - place(0));
+        let guide = |i: usize| self.stations.get(i).map(|station| station.guide as usize);
+        let near = cell_number(share * count).min(number(final_one)) as usize;
+        let low = guide(near).unwrap_or(0);
+        let high = guide(near + 1).unwrap_or(final_one);
+        // A damaged file may lead anywhere.
+        let (low, near) = match self.stations.get(low..=high) {
+            Some(near) => (low, near),
+            None => (0, self.stations),
+        };
+        let next = low + near.partition_point(|station| f64::from(station.at) <= at);
         let last = next.saturating_sub(1);
-        let next = next.min(self.stations.len() - 1);
+        let next = next.min(final_one);
         let span = place(next) - place(last);
         let mix = if span > 0.0 {
             single(((at - place(last)) / span).clamp(0.0, 1.0))
@@ -302,6 +335,9 @@ impl<'p> TrackRef<'p> {
             (0.5, 8.0 / 18.0),
             (0.887_298_334_620_742, 5.0 / 18.0),
         ];
+        if from == to {
+            return self.width(from);
+        }
         let width = |(share, weight)| weight * self.width(from + share * (to - from));
         NODES.into_iter().map(width).sum()
     }
@@ -317,7 +353,8 @@ impl<'p> TrackRef<'p> {
         (self.ends_of(place), self.classes_of(place))
     }
 
-    fn ends_of(&self, (last, mix): (usize, f32)) -> [f32; 2] {
+    /// The same, of a place that was located.
+    pub(crate) fn ends_of(&self, (last, mix): (usize, f32)) -> [f32; 2] {
         let ends = |station: usize| {
             let shape = self.shapes_from(station);
             let x = |vertex: usize| shape.get(vertex).map_or(0.0, |vertex| vertex.x);
@@ -336,5 +373,39 @@ impl<'p> TrackRef<'p> {
         let next = (last + 1).min(self.stations.len() - 1);
         let (a, b) = (self.stations[last].change, self.stations[next].change);
         f64::from(a) + f64::from(b - a) * f64::from(mix)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Places are found between the stations where a search from the first one on finds them, however unevenly
+    /// stations lie.
+    #[test]
+    fn places_lie_between_their_stations() {
+        for (count, power) in [(1, 1), (2, 1), (3, 2), (200, 1), (200, 6)] {
+            let at = (0..count).map(|i| (0.5 + f64::from(i)).powi(power));
+            let at: Vec<f64> = at.map(|at| f64::from(single(at))).collect();
+            let mut tracks = Tracks::default();
+            tracks.push(&Track {
+                vertices: vec![Vec2::ZERO; 6 * at.len()],
+                at: at.clone(),
+                vertex_count: 6,
+                caps: Default::default(),
+                finishes: Default::default(),
+            });
+            let track = tracks.get(0).unwrap();
+            for i in -10..=1010 {
+                let place = at[at.len() - 1] * f64::from(i) / 1000.0;
+                let (last, mix) = track.locate(place);
+                let before = at.iter().filter(|station| **station <= place).count();
+                let truth = before.saturating_sub(1);
+                let next = at.get(truth + 1).copied().unwrap_or(f64::INFINITY);
+                let share = ((place - at[truth]) / (next - at[truth])).clamp(0.0, 1.0);
+                let off = last as f64 + f64::from(mix) - (truth as f64 + share);
+                assert!(off.abs() < 1e-6, "{count}, {power}, {place}: off by {off}");
+            }
+        }
     }
 }

@@ -1,0 +1,340 @@
+//! A piece of scratch as straight chords, and how much of each class any stretch of them holds.
+
+use super::Pattern;
+use super::caps::ENDS;
+use super::closest::{LengthShares, bezier, tangent};
+use super::palette::MOST_CLASSES;
+use super::raster::cell_number;
+use super::tracks::TrackRef;
+use crate::single;
+use glam::DVec2;
+
+/// A chord turns no more than this: about what two directions of a crowd lie apart.
+const CHORD_RAD: f64 = 0.1;
+
+/// A piece counts as a chain of at most this many chords.
+const MOST_CHORDS: f64 = 512.0;
+
+/// Steps of a scratch's way from one turn of its course to the next.
+const STEPS: usize = 3;
+
+/// Corners turn by less than three times this if their legs' cross product is this share of the dot product: the angle
+/// is about that share.
+const NEARLY_STRAIGHT: f64 = 0.3;
+
+/// Scratched area of each class, mm² in the pattern's own scale.
+pub(super) type ClassAreas = [f32; MOST_CLASSES];
+
+/// A straight way of scratch.
+pub(super) struct Chord<'s> {
+    /// In texture space.
+    pub ends: [DVec2; 2],
+    /// Along the scratch, in texture space times units per (u, v).
+    pub travel: DVec2,
+    held: Held<'s>,
+}
+
+/// What a chord holds.
+enum Held<'s> {
+    /// A way of so many mm from one parameter of the piece to another, which later scratches leave so much of.
+    Way(f64, [f64; 2], &'s Span, Visible),
+    /// A cap's sector, all at one place.
+    Sector(ClassAreas),
+}
+
+/// A piece from one turn of its scratch's course to the next: areas by class of a mm of scratch.
+enum Span {
+    /// One cross-section all along.
+    Even(ClassAreas),
+    Changing {
+        /// How arc length runs along the piece.
+        lengths: LengthShares,
+        /// Shares of the piece's arc length at the turns.
+        at: [f64; 2],
+        /// The mean of each of so many equal steps from turn to turn.
+        steps: [ClassAreas; STEPS],
+    },
+}
+
+/// What later scratches leave of a piece, along its parameter.
+#[derive(Clone, Copy)]
+struct Visible {
+    quarters: [f64; 4],
+    is_even: bool,
+}
+
+impl Pattern {
+    /// Calls `visit` with the chords of a piece and of its caps.
+    pub(super) fn for_each_chord(&self, number: usize, mut visit: impl FnMut(&Chord<'_>)) {
+        let curves = self.curves();
+        let Some((track, course)) = curves
+            .pieces
+            .get(number)
+            .and_then(|piece| self.strand(piece.scratch))
+        else {
+            return;
+        };
+        let (control, [from, to]) = (curves.control(number), curves.at(number));
+        let scaled = control.map(|p| p * self.units_per_uv);
+        let visible = Visible::of(self.visible(number));
+        let turn_rad = turn_rad(&scaled);
+        let (mut start, mut first_t) = (control[0], 0.0);
+        // Between two turns of its course the cross-section changes one way.
+        for [[before, first], [after, last]] in course.turns(from, to) {
+            let at = [before, after].map(|at| (at - from) / (to - from));
+            let (span, last_t) = match first == last && after == to {
+                true => (Span::Even(per_mm(&track, first)), 1.0),
+                false => {
+                    let lengths = LengthShares::of(&scaled);
+                    let last_t = if after < to {
+                        lengths.parameter(at[1])
+                    } else {
+                        1.0
+                    };
+                    (Span::of(&track, lengths, at, [first, last]), last_t)
+                }
+            };
+            let part = last_t - first_t;
+            let count = number_of(part * turn_rad / CHORD_RAD, MOST_CHORDS);
+            for i in 0..count {
+                let t = [i, i + 1].map(|i| first_t + part * f64::from(i) / f64::from(count));
+                let ends = [start, bezier(&control, t[1])];
+                start = ends[1];
+                let travel = (ends[1] - ends[0]) * self.units_per_uv;
+                let length_mm = travel.length() * self.mm_per_scene_unit;
+                visit(&Chord {
+                    ends,
+                    travel,
+                    held: Held::Way(length_mm, t, &span, visible),
+                });
+            }
+            first_t = last_t;
+        }
+        self.for_each_cap_chord(number, visible, &mut visit);
+    }
+
+    /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis.
+    fn for_each_cap_chord(
+        &self,
+        number: usize,
+        visible: Visible,
+        visit: &mut impl FnMut(&Chord<'_>),
+    ) {
+        let curves = self.curves();
+        for (end, quarter) in ENDS.into_iter().zip([0, 3]) {
+            let Some(cap) = self.cap_at(number, end) else {
+                continue;
+            };
+            let Some((track, _)) = self.strand(curves.pieces[number].scratch) else {
+                continue;
+            };
+            let control = curves.control(number);
+            let scaled = control.map(|p| p * self.units_per_uv);
+            let classes = track.classes(cap.place);
+            for sector in cap.sectors() {
+                let [_, _, axis] = sector.wedge.directions(tangent(&scaled, cap.at));
+                let area_mm2 = sector.area_mm2() * visible.quarters[quarter];
+                let mut areas = ClassAreas::default();
+                add_shares(&mut areas, &classes, single(area_mm2));
+                visit(&Chord {
+                    ends: [bezier(&control, cap.at); 2],
+                    travel: axis.perp(),
+                    held: Held::Sector(areas),
+                });
+            }
+        }
+    }
+}
+
+impl Chord<'_> {
+    /// Scratched area between two shares of the chord.
+    pub(super) fn areas(&self, [from, to]: [f64; 2]) -> ClassAreas {
+        match &self.held {
+            &Held::Way(length_mm, [first, last], span, visible) => {
+                let t = [from, to].map(|share| first + share * (last - first));
+                let length_mm = single(length_mm * (to - from) * visible.mean(t));
+                span.per_mm(t).map(|area| area * length_mm)
+            }
+            Held::Sector(areas) => areas.map(|area| area * single(to - from)),
+        }
+    }
+}
+
+impl Span {
+    fn of(track: &TrackRef<'_>, lengths: LengthShares, at: [f64; 2], values: [f64; 2]) -> Self {
+        let [first, last] = values;
+        if first == last {
+            return Self::Even(per_mm(track, first));
+        }
+        // Gauss and Legendre's rule of two points for each step: within half a percent where a scratch sets in, too.
+        let nodes = [0.211_324_865_405_187, 0.788_675_134_594_813];
+        let mut steps = [ClassAreas::default(); STEPS];
+        for (i, step) in steps.iter_mut().enumerate() {
+            for node in nodes {
+                let share = (i as f64 + node) / STEPS as f64;
+                let own = per_mm(track, first + share * (last - first));
+                add(step, &own, 0.5);
+            }
+        }
+        Self::Changing { lengths, at, steps }
+    }
+
+    /// The mean between two parameters.
+    fn per_mm(&self, t: [f64; 2]) -> ClassAreas {
+        let (lengths, at, steps) = match self {
+            Self::Even(areas) => return *areas,
+            Self::Changing { lengths, at, steps } => (lengths, at, steps),
+        };
+        let stretch = t.map(|t| {
+            let share = (lengths.at(t) - at[0]) / (at[1] - at[0]);
+            share.clamp(0.0, 1.0)
+        });
+        let mut mean = ClassAreas::default();
+        for (step, share) in steps.iter().zip(shares_of::<STEPS>(stretch)) {
+            add(&mut mean, step, single(share));
+        }
+        mean
+    }
+}
+
+/// Adds areas so many times.
+fn add(sum: &mut ClassAreas, areas: &ClassAreas, times: f32) {
+    for (sum, area) in sum.iter_mut().zip(areas) {
+        *sum += times * area;
+    }
+}
+
+/// How a stretch between two places from 0 to 1 is shared between as many equal parts of the whole.
+fn shares_of<const PARTS: usize>(stretch: [f64; 2]) -> [f64; PARTS] {
+    let [from, to] = stretch.map(|place| place * PARTS as f64);
+    let length = to - from;
+    core::array::from_fn(|part| {
+        if length > 0.0 {
+            let start = part as f64;
+            (to.min(start + 1.0) - from.max(start)).max(0.0) / length
+        } else {
+            // Nowhere: where it lies counts wholly.
+            f64::from(u8::from(
+                part == (cell_number(from) as usize).min(PARTS - 1),
+            ))
+        }
+    })
+}
+
+/// Scratched area by class of a mm of a cross-section.
+fn per_mm(track: &TrackRef<'_>, value: f64) -> ClassAreas {
+    let ([left, right], classes) = track.ends_and_classes(value);
+    let mut areas = ClassAreas::default();
+    add_shares(&mut areas, &classes, right - left);
+    areas
+}
+
+impl Visible {
+    /// Of a piece's quarters in 255ths.
+    fn of(quarters: [u8; 4]) -> Self {
+        Self {
+            quarters: quarters.map(|quarter| f64::from(quarter) / 255.0),
+            is_even: quarters.iter().all(|quarter| *quarter == quarters[0]),
+        }
+    }
+
+    /// The mean between two parameters.
+    fn mean(&self, stretch: [f64; 2]) -> f64 {
+        if self.is_even {
+            return self.quarters[0];
+        }
+        let shares = shares_of::<4>(stretch);
+        let quarters = self.quarters.iter().zip(shares);
+        quarters.map(|(quarter, share)| quarter * share).sum()
+    }
+}
+
+/// Shares an area out between classes.
+pub(super) fn add_shares(areas: &mut ClassAreas, classes: &[(usize, f32)], area_mm2: f32) {
+    for &(class, share) in classes {
+        // A damaged file may claim any class.
+        if let Some(area) = areas.get_mut(class) {
+            *area += share * area_mm2;
+        }
+    }
+}
+
+/// How many parts are at least this, from one to `most`.
+fn number_of(parts: f64, most: f64) -> u32 {
+    cell_number(parts.clamp(1.0, most) + (1.0 - 1e-9))
+}
+
+/// How much a piece turns, and no less.
+fn turn_rad([a, b, c, d]: &[DVec2; 4]) -> f64 {
+    let angle = |p: DVec2, q: DVec2| {
+        let (cross, dot) = (p.perp_dot(q).abs(), p.dot(q));
+        if cross < NEARLY_STRAIGHT * dot {
+            cross / dot
+        } else {
+            p.angle_to(q).abs()
+        }
+    };
+    let (first, middle, last) = (b - a, c - b, d - c);
+    angle(first, middle) + angle(middle, last)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::Metal;
+    use crate::formation::{Material, Tool};
+    use crate::pattern::{Key, Path, PatternBuilder, Scratch};
+
+    /// A curved scratch that sets in, steadies and runs out, cut once: all stretches together hold what the integral
+    /// of its width says, however they are cut, and each what later scratches leave of it.
+    #[test]
+    fn stretches_add_up() {
+        let builder = PatternBuilder::new(Material::metal(Metal::Steel), 1.0, [100.0; 2]);
+        let mut builder = builder.unwrap();
+        let tool = Tool::rockwell_c();
+        let points = [[0.1, 0.1], [0.3, 0.1], [0.4, 0.2], [0.4, 0.4]];
+        let keys = [(0.0, 0.0), (0.3, 2.0), (0.6, 2.0), (1.0, 0.2)];
+        let scratch = Scratch {
+            keys: &keys.map(|(at, force)| Key::force(at, force)),
+            path: Path::CubicBezier(&points),
+            ..Scratch::new(&tool)
+        };
+        builder.add(&scratch).unwrap();
+        let line = [[0.35, 0.3], [0.45, 0.3]];
+        let path = Path::Polyline(&line);
+        builder.add(&Scratch { path, ..scratch }).unwrap();
+        let pattern = builder.build();
+        let (track, course) = pattern.strand(0).unwrap();
+        let [first, last] = pattern.pieces_of(0);
+        assert!((first..=last).any(|piece| pattern.visible_share(piece) < 1.0));
+        for piece in first..=last {
+            let (mut whole, mut parts, mut longest) = (0.0, 0.0, 0.0_f64);
+            let sum = |areas: ClassAreas| f64::from(areas.iter().sum::<f32>());
+            pattern.for_each_chord(piece, |chord| {
+                if chord.ends[0] == chord.ends[1] {
+                    return;
+                }
+                whole += sum(chord.areas([0.0, 1.0]));
+                let cuts = [0.0, 0.01, 0.37, 0.371, 0.9, 1.0];
+                parts += cuts
+                    .windows(2)
+                    .map(|w| sum(chord.areas([w[0], w[1]])))
+                    .sum::<f64>();
+                longest = longest.max(chord.travel.length());
+            });
+            assert!((parts / whole - 1.0).abs() < 1e-5, "{parts} and {whole}");
+            let [from, to] = pattern.curves().at(piece);
+            let steps = 10_000;
+            let width = |i: i32| {
+                let at = from + (to - from) * (f64::from(i) + 0.5) / f64::from(steps);
+                track.width(course.value(at))
+            };
+            let mean_mm = (0..steps).map(width).sum::<f64>() / f64::from(steps);
+            let truth = mean_mm * (to - from) * pattern.length_of(0);
+            let truth = truth * f64::from(pattern.visible_share(piece));
+            let off = whole / truth - 1.0;
+            assert!(off.abs() < 5e-3, "piece {piece}: {whole} and {truth}");
+            assert!(longest > 0.0, "piece {piece} has no chords");
+        }
+    }
+}
