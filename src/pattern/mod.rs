@@ -18,6 +18,7 @@ mod hits;
 mod kinds;
 mod layers;
 mod lists;
+mod mesh;
 mod overlap;
 mod palette;
 mod path;
@@ -50,6 +51,7 @@ pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes,
 pub(crate) use hit::Hit;
 pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
+pub use mesh::{MeshRegion, MeshZone, ReliefMesh};
 pub(crate) use palette::{MOST_CLASS_VERTICES, Palette};
 pub use path::{Curve, Path};
 pub use pattern::{Pattern, PatternMemory};
