@@ -1,6 +1,6 @@
 #include "shade.h"
 
-#include <stdint.h>
+#include "random.h"
 
 /* What striae wants to know about a surface point, with the sample's square as footprint. */
 static StriaePoint striae_point(const Stage *stage, const Surface *surface, const Sample *sample) {
@@ -31,6 +31,7 @@ static void shade_scratched(const Stage *stage, const Surface *surface, const Sa
     striae_frame(&point, &frame);
     to_local(&frame, surface->position, stage->camera.position, view);
     striae_shade(surface->mesh->pattern, &point, view, &shading);
+    striae_set_bounces(&shading, stage->bounces);
 
     for (size_t i = 0; i < stage->lights.count; i++) {
         const Patch *patch = &stage->lights.patches[i];
@@ -42,13 +43,6 @@ static void shade_scratched(const Stage *stage, const Surface *surface, const Sa
         patch_irradiance(patch, patch->position, surface->position, irradiance);
         for (int c = 0; c < 3; c++) radiance[c] += irradiance[c] * (double)f[c];
     }
-}
-
-/* Numbers in [0,1) that look random but are the same in every run (PCG's output permutation). */
-static double next_random(uint32_t *state) {
-    *state = *state * 747796405u + 2891336453u;
-    const uint32_t word = ((*state >> ((*state >> 28) + 4u)) ^ *state) * 277803737u;
-    return ((word >> 22) ^ word) * (1.0 / 4294967296.0);
 }
 
 /* A matte surface, for what lies about: each lamp's patches are met at random points, for soft shadows. */

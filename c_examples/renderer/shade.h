@@ -11,6 +11,7 @@ typedef struct Stage {
     const Tracer *tracer;
     Camera camera;
     Lights lights;
+    uint32_t bounces; /* within scratches: STRIAE_BOUNCES_ONE or STRIAE_BOUNCES_ALL */
 } Stage;
 
 /* A square of the picture: its middle, and its side in pixels. */
