@@ -230,25 +230,17 @@ fn groove_has_its_area() {
 }
 
 /// The uppermost triangle at a place that is no wall.
-fn look<'m>(mesh: &'m ReliefMesh, place: DVec2) -> Option<(f64, &'m MeshZone)> {
-    let found = mesh
-        .triangles
-        .iter()
-        .zip(&mesh.zones)
-        .find_map(|(&triangle, zone)| {
-            let [a, b, c] = corners(mesh, triangle);
-            let parts = [(b, c), (c, a), (a, b)]
-                .map(|(p, q)| (p.truncate() - place).perp_dot(q.truncate() - place));
-            let whole: f64 = parts.iter().sum();
-            let holds = whole > 1e-15 && parts.iter().all(|part| *part >= 0.0);
-            holds.then(|| {
-                (
-                    (parts[0] * a.z + parts[1] * b.z + parts[2] * c.z) / whole,
-                    zone,
-                )
-            })
-        });
-    found
+fn look(mesh: &ReliefMesh, place: DVec2) -> Option<(f64, &MeshZone)> {
+    let mut triangles = mesh.triangles.iter().zip(&mesh.zones);
+    triangles.find_map(|(&triangle, zone)| {
+        let [a, b, c] = corners(mesh, triangle);
+        let sides = [(b, c), (c, a), (a, b)].map(|(p, q)| [p, q].map(|p| p.truncate() - place));
+        let parts = sides.map(|[p, q]| p.perp_dot(q));
+        let whole: f64 = parts.iter().sum();
+        let holds = whole > 1e-15 && parts.iter().all(|part| *part >= 0.0);
+        let z = || (parts[0] * a.z + parts[1] * b.z + parts[2] * c.z) / whole;
+        holds.then(|| (z(), zone))
+    })
 }
 
 /// Heights and scratches are those that a query tells for the same place.
@@ -418,7 +410,9 @@ fn later_scratch_wins() {
         let mesh = pattern.relief_mesh(&square(1.0)).unwrap();
         let [from, to] = [0, 1].map(|i| DVec2::from(uv(top[i])) * SHEET_MM);
         let mut hits = [ScratchHit::default(); 1];
-        pattern.hits(&point(top[0].map(|c| c / 9.5)), &mut hits).unwrap();
+        pattern
+            .hits(&point(top[0].map(|c| c / 9.5)), &mut hits)
+            .unwrap();
         let deepest_mm = f64::from(hits[0].deepest_mm);
         for i in 0..2000 {
             let (z, zone) =

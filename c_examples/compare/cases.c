@@ -12,7 +12,7 @@ static const double TOLERANCE[DISTANCE_COUNT] = {2e-4, 6e-4, 2e-3};
 static const double BEYOND = 4.0;
 
 static const double CAMERA_HEADING_DEG = -60.0, CAMERA_ELEVATION_DEG = 55.0, CAMERA_WIDTH_DEG = 14.0;
-static const double LAMP_HEADING_DEG = 90.0, LAMP_DISTANCE = 5000.0;
+static const double LAMP_HEADING_DEG = 90.0, LAMP_DISTANCE = 20000.0;
 
 /* The picture's corners on the plane of the plate. */
 static void see(Sight *sight, double beyond) {

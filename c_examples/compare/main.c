@@ -14,7 +14,7 @@
 #include "tiles.h"
 #include "truth.h"
 
-enum { PATH_SIZE = 4096, PATH_LENGTH = 24, USUAL_SAMPLES = 2048, EXIT_WRONG_OPTIONS = 2 };
+enum { PATH_SIZE = 4096, PATH_LENGTH = 24, USUAL_SAMPLES = 4096, EXIT_WRONG_OPTIONS = 2 };
 
 /* Light that comes straight from a lamp, and all that does in the end. */
 enum { DIRECT, ALL, KIND_COUNT };

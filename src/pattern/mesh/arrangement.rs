@@ -3,6 +3,7 @@
 use super::Window;
 use super::patches::{Cover, Patches, Placed, tree};
 use glam::{DVec2, I64Vec2};
+use rayon::prelude::*;
 use rstar::{AABB, RTree};
 use std::collections::{HashMap, HashSet};
 
@@ -83,12 +84,8 @@ fn uncovered(patches: &Patches, over: f64) -> Vec<[DVec2; 2]> {
         corners: patches.window.corners().to_vec(),
         order: u32::MAX,
     };
-    let mut left = Vec::new();
-    for (side, order) in patches.sides() {
-        let Some(inside) = within(&side, &window, 0.0) else {
-            continue;
-        };
-        let mut parts = vec![inside];
+    let left = |&(side, order): &([DVec2; 2], u32)| {
+        let mut parts: Vec<[f64; 2]> = within(&side, &window, 0.0).into_iter().collect();
         for placed in touched(&tree, side) {
             let cover = covers[placed.number];
             if cover.order <= order {
@@ -99,13 +96,14 @@ fn uncovered(patches: &Patches, over: f64) -> Vec<[DVec2; 2]> {
             }
         }
         let least = 4.0 * over / (side[1] - side[0]).length();
-        let long = parts.iter().filter(|[from, to]| to - from > least);
-        left.extend(long.map(|part| part.map(|share| side[0].lerp(side[1], share))));
-    }
-    left
+        parts.retain(|[from, to]| to - from > least);
+        let place = move |share: f64| side[0].lerp(side[1], share);
+        parts.into_iter().map(move |part| part.map(place))
+    };
+    patches.sides().par_iter().flat_map_iter(left).collect()
 }
 
-fn touched<'t>(tree: &'t RTree<Placed>, [a, b]: [DVec2; 2]) -> impl Iterator<Item = &'t Placed> {
+fn touched(tree: &RTree<Placed>, [a, b]: [DVec2; 2]) -> impl Iterator<Item = &Placed> {
     let around = AABB::from_corners(a.min(b).to_array(), a.max(b).to_array());
     tree.locate_in_envelope_intersecting(&around)
 }
@@ -142,7 +140,9 @@ fn splits(sides: &[[DVec2; 2]], same: f64, longest: f64) -> Vec<Vec<f64>> {
             let ends = [0.0, 1.0].map(|end| a.lerp(b, (f64::from(i) + end) / count));
             [ends[0].min(ends[1]) - same, ends[0].max(ends[1]) + same]
         };
-        (0..crate::single(count) as u32).map(part)
+        (0_u32..)
+            .take_while(move |i| f64::from(*i) < count)
+            .map(part)
     };
     let boxes = sides.iter().enumerate();
     let tree = tree(boxes.flat_map(|(i, side)| parts(side).map(move |part| (i, part))));
@@ -157,7 +157,7 @@ fn splits(sides: &[[DVec2; 2]], same: f64, longest: f64) -> Vec<Vec<f64>> {
         }
         shares
     };
-    sides.iter().enumerate().map(meet).collect()
+    sides.par_iter().enumerate().map(meet).collect()
 }
 
 /// Where another side meets or crosses one, as shares of its length.

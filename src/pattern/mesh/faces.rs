@@ -4,6 +4,7 @@ use super::arrangement::Plan;
 use super::patches::{Patches, tree};
 use crate::error::{Error, Result};
 use glam::DVec2;
+use rayon::prelude::*;
 use rstar::AABB;
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
@@ -46,7 +47,7 @@ pub(super) fn triangulate(plan: Plan, patches: &Patches) -> Result<Faces> {
     let mut crossing = Vec::new();
     let mut cdt: ConstrainedDelaunayTriangulation<Point2<f64>> =
         ConstrainedDelaunayTriangulation::try_bulk_load_cdt(points.collect(), plan.lines, |line| {
-            crossing.push(line)
+            crossing.push(line);
         })
         .map_err(refused)?;
     // Lines that only rounding made cross.
@@ -57,21 +58,26 @@ pub(super) fn triangulate(plan: Plan, patches: &Patches) -> Result<Faces> {
     let place = |position: Point2<f64>| base + DVec2::new(position.x, position.y) * unit;
     let places: Vec<DVec2> = cdt.vertices().map(|v| place(v.position())).collect();
     let on_top = OnTop::new(patches, plan.slack);
-    let faces = cdt.inner_faces().map(|face| {
-        let corners = face.vertices().map(|vertex| vertex.fix().index());
+    let bare = cdt.inner_faces().map(|face| Face {
+        corners: face.vertices().map(|vertex| vertex.fix().index()),
+        patch: None,
         // Numbers of inner faces follow that of the outer one.
-        let beyond = face
+        beyond: face
             .adjacent_edges()
-            .map(|edge| edge.rev().face().fix().index().checked_sub(1));
-        let middle = corners.iter().map(|&corner| places[corner]).sum::<DVec2>() / 3.0;
-        Face {
-            corners,
-            patch: on_top.at(middle),
-            beyond,
-        }
+            .map(|edge| edge.rev().face().fix().index().checked_sub(1)),
+    });
+    let mut faces: Vec<Face> = bare.collect();
+    faces.par_iter_mut().for_each(|face| {
+        let middle = face
+            .corners
+            .map(|corner| places[corner])
+            .iter()
+            .sum::<DVec2>()
+            / 3.0;
+        face.patch = on_top.at(middle);
     });
     Ok(Faces {
-        faces: faces.collect(),
+        faces,
         places,
         slack: plan.slack,
     })

@@ -159,8 +159,8 @@ impl Lift<'_> {
         let own = self.levels.of_faces[number];
         let mut outline: Vec<u32> = Vec::with_capacity(6);
         let mut first_crossing = None;
-        for i in 0..3 {
-            outline.push(vertex(own[i]));
+        for (i, level) in own.into_iter().enumerate() {
+            outline.push(vertex(level));
             let Some(jump) = self.jump(number, face, i) else {
                 continue;
             };
