@@ -76,6 +76,23 @@ unsigned shade_sample(const Stage *stage, const Sample *sample, double radiance[
     return surface.face;
 }
 
+bool shade_zones(const Stage *stage, const Sample *sample, Vec lamp, LitZones *lit) {
+    const Vec direction = camera_direction(&stage->camera, sample->x, sample->y);
+    Hit hit;
+    if (!trace_closest(stage->tracer, stage->camera.position, direction, &hit) || !hit.mesh->pattern) return false;
+    const Surface surface = mesh_surface(hit.mesh, hit.triangle, stage->camera.position, direction);
+    const StriaePoint point = striae_point(stage, &surface, sample);
+    StriaeFrame frame;
+    StriaeShading shading;
+    striae_frame(&point, &frame);
+    lit->position = surface.position;
+    to_local(&frame, surface.position, stage->camera.position, lit->view);
+    to_local(&frame, surface.position, lamp, lit->light);
+    striae_shade(hit.mesh->pattern, &point, lit->view, &shading);
+    return striae_zones(&shading, lit->light, lit->zones, SHADE_MAX_ZONES, &lit->count) == STRIAE_STATUS_OK &&
+           lit->count <= SHADE_MAX_ZONES;
+}
+
 void shade_label(const Stage *stage, const Sample *sample, Label *label) {
     enum { MOST_HITS = 16 };
     const Vec direction = camera_direction(&stage->camera, sample->x, sample->y);
