@@ -173,6 +173,42 @@ fn watertight() {
     }
 }
 
+/// The same, however strokes may lie: closed meshes have no edge that is passed unevenly.
+#[test]
+fn watertight_whatever_crosses() {
+    let mut random = random(21);
+    for case in [0, 1, 2, 5] {
+        let mut any = || [(); 2].map(|()| random.random_range(-1.1..1.1));
+        let strokes: Vec<[[f64; 2]; 4]> =
+            (0..4 + 2 * case).map(|_| [(); 4].map(|()| any())).collect();
+        let lines: Vec<Line<'_>> = strokes
+            .iter()
+            .enumerate()
+            .map(|(i, stroke)| match i % 3 {
+                0 => Line::Straight(&stroke[..2]),
+                1 => Line::Straight(stroke),
+                _ => Line::Curve(stroke),
+            })
+            .collect();
+        let pattern = pattern(&dark_sheet(), &lines, STEADY);
+        let region = MeshRegion {
+            tolerance_mm: 1e-3,
+            base_mm: 0.5,
+            ..square(1.0)
+        };
+        let mesh = pattern.relief_mesh(&region).unwrap();
+        let edges = edges(&mesh);
+        let uneven = edges.values().filter(|count| count[0] != count[1]).count();
+        let crowded = edges.values().filter(|count| count[0] > 1).count();
+        println!(
+            "{case}: {} edges, {uneven} uneven, {crowded} shared by four",
+            edges.len()
+        );
+        assert_eq!(uneven, 0, "{case}");
+        assert_eq!(crowded, 0, "{case}");
+    }
+}
+
 /// The volume of a closed mesh.
 fn volume(mesh: &ReliefMesh) -> f64 {
     let base = DVec3::from(mesh.positions[0]);
@@ -398,6 +434,47 @@ fn bad_regions() {
     ] {
         let error = pattern.relief_mesh(&region).unwrap_err();
         assert_eq!(error.argument(), name, "{error}");
+    }
+}
+
+/// Regions that are absurd and yet regions give a mesh or an answer, never a panic.
+#[test]
+fn absurd_regions() {
+    let pattern = pattern(
+        &dark_sheet(),
+        &[
+            Line::Straight(LEVEL),
+            Line::Curve(BOW),
+            Line::Straight(STEEP),
+        ],
+        STEADY,
+    );
+    for (low_uv, size) in [
+        ([0.5, 0.5], 1e-15),
+        ([0.5, 0.5], 1e-9),
+        ([0.5, 0.5], 1e-300),
+        ([-1e9, -1e9], 2e9),
+        ([1e9 - 1.0, 0.0], 1.0),
+        ([-1.0, -1.0], 1e3),
+        ([0.0, 0.0], 1e-300),
+    ] {
+        let region = MeshRegion {
+            low_uv,
+            high_uv: low_uv.map(|low| low + size),
+            tolerance_mm: 1e-3,
+            base_mm: 0.5,
+        };
+        let Ok(mesh) = pattern.relief_mesh(&region) else {
+            continue;
+        };
+        assert!(
+            mesh.positions.iter().flatten().all(|x| x.is_finite()),
+            "{region:?}"
+        );
+        let uneven = edges(&mesh)
+            .into_values()
+            .find(|count| count[0] != count[1]);
+        assert_eq!(uneven, None, "{region:?}");
     }
 }
 

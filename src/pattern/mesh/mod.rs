@@ -103,8 +103,8 @@ impl Window {
 impl Pattern {
     /// The relief of a region as triangles. It takes time and memory: some microseconds and a kilobyte for each of them.
     ///
-    /// Errors: a region that is none, a value out of range, a base that the deepest scratch goes through, a region that holds
-    /// more than some 50 million facets.
+    /// Errors: a region that is none, a value out of range, a base that the deepest scratch goes through, a region that takes
+    /// more than some 10 million triangles.
     pub fn relief_mesh(&self, region: &MeshRegion) -> Result<ReliefMesh> {
         let window = self.window(region)?;
         in_range("tolerance_mm", region.tolerance_mm, 1e-9, 1000.0)?;

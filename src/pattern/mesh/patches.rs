@@ -8,8 +8,8 @@ use glam::{DVec2, DVec3};
 use rstar::{AABB, RTree, RTreeObject};
 use std::collections::HashMap;
 
-/// Patches that a region may hold.
-const MOST_PATCHES: usize = 100_000_000;
+/// Patches that a region may hold: some gigabytes while they are sorted out.
+const MOST_PATCHES: usize = 10_000_000;
 
 /// A triangle of relief.
 #[derive(Clone, Copy, Debug)]
@@ -114,7 +114,7 @@ impl Patches {
         }
         if self.patches.len() > MOST_PATCHES {
             let accepted = "a region with less in it, or a larger tolerance_mm";
-            return Err(Error::count("facets", self.patches.len(), accepted));
+            return Err(Error::count("triangle_count", self.patches.len(), accepted));
         }
         let order = self.next_order;
         self.next_order += 1;
