@@ -57,11 +57,16 @@ static bool compare_plate(Report *report, const Options *options, const Plate *p
 static bool compare_all(Report *report, const Options *options) {
     Plate plates[PLATE_COUNT];
     bool done = plates_build(plates) || complain("plates", striae_last_error());
+    int compared = 0;
     report_head();
-    for (int i = 0; i < PLATE_COUNT && done; i++)
-        if (strstr(plates[i].name, options->only)) done = compare_plate(report, options, &plates[i]);
+    for (int i = 0; i < PLATE_COUNT && done; i++) {
+        if (!strstr(plates[i].name, options->only)) continue;
+        done = compare_plate(report, options, &plates[i]);
+        compared++;
+    }
     plates_free(plates);
-    return done && report_end(report);
+    if (done && compared == 0) return complain("PLATE", "no plate's name holds this");
+    return done && report_end(report, compared == PLATE_COUNT);
 }
 
 static bool make_folder(const char *path) {
@@ -73,7 +78,7 @@ static bool parse(int argc, char **argv, Options *options) {
         fprintf(stderr, "usage: striae_compare FOLDER [SAMPLES [PLATE]]\n"
                         "  FOLDER   where pictures go; the worst differences go to FOLDER.json\n"
                         "  SAMPLES  of brute force per pixel of the nearest view, 2 to 1000000 (default %d)\n"
-                        "  PLATE    only plates whose names hold this\n",
+                        "  PLATE    only plates whose names hold this, without FOLDER.json\n",
                 USUAL_SAMPLES);
         return false;
     }

@@ -46,7 +46,7 @@ void report_head(void) {
 
 static void put(FILE *file, const char *name, double value) { fprintf(file, "  \"%s\": %.6f,\n", name, value); }
 
-bool report_end(const Report *report) {
+static bool write_json(const Report *report) {
     const Worst *direct = &report->worst[DIRECT], *all = &report->worst[ALL_LIGHT];
     const Worst *lambert = &report->worst[POVRAY_LAMBERT], *gloss = &report->worst[POVRAY_GLOSS];
     char path[PATH_SIZE];
@@ -65,9 +65,13 @@ bool report_end(const Report *report) {
     put(file, "povray_gloss_worst", gloss->plain);
     put(file, "povray_gloss_crossings_worst", gloss->crossed);
     fprintf(file, "  \"interreflection_noise\": %.6f\n}\n", all->noise);
+    return fclose(file) == 0 || complain(path, strerror(errno));
+}
+
+bool report_end(const Report *report, bool all_plates) {
     printf("worst without crossings and ends, and with them:\n");
     for (int kind = 0; kind < KIND_COUNT; kind++)
         printf("  %-15s %5.2f %% %5.2f %%\n", KIND_NAMES[kind], 100.0 * report->worst[kind].plain,
                100.0 * report->worst[kind].crossed);
-    return fclose(file) == 0 || complain(path, strerror(errno));
+    return !all_plates || write_json(report);
 }

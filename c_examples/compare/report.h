@@ -32,6 +32,6 @@ bool report_row(Report *report, const Plate *plate, const Row *row, const Film *
 
 void report_head(void);
 
-/* The worst of each kind, and the same as FOLDER.json. */
-bool report_end(const Report *report);
+/* The worst of each kind; where all plates were compared, the same as FOLDER.json. */
+bool report_end(const Report *report, bool all_plates);
 #endif
