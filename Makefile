@@ -1,4 +1,5 @@
-# `make demo` renders the scratched titanium plate, `make figures` the paper's Figure 9, `make test` checks everything.
+# `make demo` renders the scratched titanium plate, `make figures` the paper's Figure 9, `make compare` judges the library by
+# brute force and POV-Ray, `make test` checks everything.
 # All of them install the Debian packages they need, as root or through sudo.
 
 MAKEFLAGS += --no-print-directory
@@ -12,13 +13,15 @@ PACKAGES := cmake libembree-dev libopenexr-dev libpng-dev pkg-config
 TEST_PACKAGES := $(PACKAGES) g++ binutils valgrind
 
 .DEFAULT_GOAL := help
-.PHONY: help demo figures test bench clean rust
+.PHONY: help demo figures compare test bench clean rust
 
 help:
 	@echo "make demo           render the plate's three views into $(OUT)/"
 	@echo "make demo CHECK=1   and compare one sample per pixel with 256"
 	@echo "make demo ARGS=...  with the renderer's own options: ARGS=--help lists them"
 	@echo "make figures        the paper's Figure 9: sixteen scratches over their cross-sections, into $(OUT)/"
+	@echo "make compare        the library against brute force and POV-Ray, which see the relief's own triangles: a table,"
+	@echo "                    $(OUT)/compare.json and pictures in $(OUT)/compare/; ten minutes or so"
 	@echo "make test           every check: Rust and C"
 	@echo "make bench          what cross-sections, a million scratches and the index cost: $(OUT)/bench.json"
 	@echo "make clean          remove $(BUILD)/, $(OUT)/ and target/"
@@ -36,6 +39,15 @@ figures: rust
 	@$(CONFIGURE) -DSTRIAE_BUILD_TESTS=OFF
 	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_figure9
 	@$(BUILD)/c_examples/figure9/striae_figure9 $(OUT)
+
+# Like the demo it reads no files, and shares its build.
+compare: BUILD := build/demo
+compare: rust
+	@scripts/need $(PACKAGES) povray
+	@$(CONFIGURE) -DSTRIAE_FILES=OFF -DSTRIAE_BUILD_TESTS=OFF
+	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_compare
+	@mkdir -p $(OUT)
+	@$(BUILD)/c_examples/compare/striae_compare $(OUT)/compare $(ARGS)
 
 test: rust
 	@scripts/need $(TEST_PACKAGES)

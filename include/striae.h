@@ -67,6 +67,11 @@
 #define STRIAE_VERSION_PATCH 0
 
 /**
+ * A triangle's `scratch` on the unscratched surface.
+ */
+#define STRIAE_NO_SCRATCH UINT32_MAX
+
+/**
  * Flag of striae_eval(): the BRDF alone, without the cosine between light and normal.
  */
 #define STRIAE_EVAL_BRDF_ONLY 1
@@ -504,6 +509,11 @@ typedef struct StriaePattern StriaePattern;
  * Collects scratches. One thread at a time; whoever made it frees it.
  */
 typedef struct StriaePatternBuilder StriaePatternBuilder;
+
+/**
+ * A region's relief as triangles. Immutable; any thread may use it; reference-counted.
+ */
+typedef struct StriaeReliefMesh StriaeReliefMesh;
 
 /**
  * A triangle mesh with texture coordinates, for paths that are drawn on it. Immutable; any thread may use it;
@@ -1134,6 +1144,88 @@ typedef struct StriaeSvgOptions {
    */
   double azimuth_deg;
 } StriaeSvgOptions;
+
+/**
+ * What part of a pattern becomes triangles, and how closely. Set struct_size to sizeof(StriaeMeshRegion).
+ */
+typedef struct StriaeMeshRegion {
+  /**
+   * sizeof(StriaeMeshRegion)
+   */
+  size_t struct_size;
+  /**
+   * The rectangle's lowest (u, v), -1e9 to 1e9.
+   */
+  double low_uv[2];
+  /**
+   * Its highest (u, v), above the lowest.
+   */
+  double high_uv[2];
+  /**
+   * How far the triangles may stray from the relief, mm, 1e-9 to 1000: along straight scratches of steady force they
+   * do not.
+   */
+  double tolerance_mm;
+  /**
+   * Thickness of the plate, mm: 0 for an open surface that ends at the rectangle's border; otherwise, up to 1e6 and more
+   * than the deepest scratch, the triangles close around a solid.
+   */
+  double base_mm;
+} StriaeMeshRegion;
+
+/**
+ * What a triangle is a part of.
+ */
+typedef struct StriaeMeshZone {
+  /**
+   * Number of its scratch in order of adding, from 0; STRIAE_NO_SCRATCH on the unscratched surface.
+   */
+  uint32_t scratch;
+  /**
+   * Number of its base BRDF: striae_relief_mesh_brdf().
+   */
+  uint32_t brdf;
+  /**
+   * Unit direction of the scratch's travel in x and y, along which polishing lines run; along x on the unscratched
+   * surface.
+   */
+  float travel[2];
+} StriaeMeshZone;
+
+/**
+ * A mesh's arrays: its own, valid until it is freed. Set struct_size to sizeof(StriaeMeshArrays).
+ */
+typedef struct StriaeMeshArrays {
+  /**
+   * sizeof(StriaeMeshArrays)
+   */
+  size_t struct_size;
+  /**
+   * (x, y, z) of each vertex, mm: x and y are u and v to the scale of the pattern's units_per_uv, z is up from the
+   * unscratched surface.
+   */
+  const double (*positions)[3];
+  /**
+   * How many vertices.
+   */
+  size_t vertex_count;
+  /**
+   * Three vertices of each triangle, counter-clockwise from outside.
+   */
+  const uint32_t (*triangles)[3];
+  /**
+   * What each triangle is a part of.
+   */
+  const struct StriaeMeshZone *zones;
+  /**
+   * How many triangles.
+   */
+  size_t triangle_count;
+  /**
+   * How many base BRDFs; number 0 is the unscratched surface's.
+   */
+  size_t brdf_count;
+} StriaeMeshArrays;
 
 /**
  * A point of a scratched surface. `dp_du`, `dp_dv` and `normal` are in any one frame of the renderer's, world space say. A
@@ -1916,6 +2008,52 @@ enum StriaeStatus striae_pattern_builder_add_svg(struct StriaePatternBuilder *bu
                                                  const struct StriaeSvgOptions *options);
 
 /**
+ * Makes triangles of a region of a pattern, with nothing filtered or summed up: what shading is measured against, and what
+ * programs without this library can use. It takes time and memory, some microseconds and a kilobyte for each triangle.
+ *
+ * The mesh is watertight: each edge belongs to two triangles, but for those on the border of an open surface. Where a later
+ * scratch cuts an earlier one, and between the facets that close a hard end, heights jump: there walls stand upright, so
+ * that all else stays where it is. They count as a part of the later scratch.
+ *
+ * @param pattern the pattern
+ * @param region which part, and how closely
+ * @param mesh receives a handle to release with striae_relief_mesh_release(); NULL on failure
+ */
+enum StriaeStatus striae_relief_mesh(const struct StriaePattern *pattern,
+                                     const struct StriaeMeshRegion *region,
+                                     struct StriaeReliefMesh **mesh);
+
+/**
+ * Tells a mesh's arrays.
+ *
+ * @param mesh the mesh
+ * @param arrays with struct_size set; the rest is written on success only
+ */
+enum StriaeStatus striae_relief_mesh_arrays(const struct StriaeReliefMesh *mesh,
+                                            struct StriaeMeshArrays *arrays);
+
+/**
+ * A base BRDF of a mesh's zones, as the material had it but for rounding.
+ *
+ * @param mesh the mesh
+ * @param number below the arrays' brdf_count; 0 is the unscratched surface's
+ * @param brdf receives it
+ */
+enum StriaeStatus striae_relief_mesh_brdf(const struct StriaeReliefMesh *mesh,
+                                          uint32_t number,
+                                          struct StriaeBrdf *brdf);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_relief_mesh_retain(const struct StriaeReliefMesh *mesh);
+
+/**
+ * Drops a reference; the last one frees the mesh. NULL is fine.
+ */
+void striae_relief_mesh_release(const struct StriaeReliefMesh *mesh);
+
+/**
  * Makes a tool from a 3D model: OBJ, STL (text or binary) or PLY (text or binary), by the end of the file's name.
  *
  * z points up, the tip down; polygons become fans of triangles, and the mesh is then what striae_tool_mesh() takes.
@@ -2021,6 +2159,21 @@ enum StriaeStatus striae_pattern_open_with(const char *path,
                                            const struct StriaeHostBrdf *hosts,
                                            size_t host_count,
                                            struct StriaePattern **pattern);
+
+/**
+ * Writes a mesh to a file, mm: Wavefront OBJ or PLY, by the end of the file's name.
+ *
+ * An OBJ has a group for each scratch (scratch_0 on, surface) and names a material for each base BRDF (brdf_0 on). A PLY
+ * (binary, little-endian, coordinates in double precision) has both numbers with each face: scratch, -1 on the unscratched
+ * surface, and brdf. A file that cannot be written, and a name that ends otherwise, are answered with STRIAE_STATUS_FILE.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default).
+ *
+ * @param mesh the mesh
+ * @param path the file's path, ending in .obj or .ply, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+ */
+enum StriaeStatus striae_relief_mesh_write(const struct StriaeReliefMesh *mesh,
+                                           const char *path);
 
 /**
  * A point's local frame, in which `view` and `light` are given. Allocates nothing.

@@ -20,6 +20,7 @@ fn header_is_fresh() {
         "pattern",
         "generator",
         "svg",
+        "relief_mesh",
         "files",
         "shading",
         "hits",

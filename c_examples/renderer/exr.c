@@ -93,3 +93,53 @@ const char *exr_write_layers(const Film *film, const LabelMap *map, const char *
 }
 
 const char *film_write_exr(const Film *film, const char *path) { return exr_write_layers(film, NULL, path); }
+
+/* Tells the decoder where each of its channels goes; those that are no colours go nowhere. */
+static void point_colours(exr_decode_pipeline_t *decoder, const Film *film, int y) {
+    for (int i = 0; i < decoder->channel_count; i++) {
+        exr_coding_channel_info_t *channel = &decoder->channels[i];
+        const char *const found = channel->channel_name[1] == '\0' ? strchr("RGB", channel->channel_name[0]) : NULL;
+        const size_t row = (size_t)y * (size_t)film->width;
+        channel->decode_to_ptr = found ? (uint8_t *)&film->rgb[row][found[0] == 'R' ? 0 : found[0] == 'G' ? 1 : 2] : NULL;
+        channel->user_pixel_stride = (int32_t)sizeof *film->rgb;
+        channel->user_line_stride = (int32_t)((size_t)film->width * sizeof *film->rgb);
+        channel->user_bytes_per_element = (int16_t)sizeof(float);
+        channel->user_data_type = EXR_PIXEL_FLOAT;
+    }
+}
+
+static exr_result_t read_chunk(exr_context_t file, exr_decode_pipeline_t *decoder, const Film *film, int top, int y) {
+    exr_chunk_info_t chunk;
+    exr_result_t result = exr_read_scanline_chunk_info(file, 0, top + y, &chunk);
+    if (result != EXR_ERR_SUCCESS) return result;
+    result = y == 0 ? exr_decoding_initialize(file, 0, &chunk, decoder) : exr_decoding_update(file, 0, &chunk, decoder);
+    if (result != EXR_ERR_SUCCESS) return result;
+    point_colours(decoder, film, y);
+    if (y == 0) result = exr_decoding_choose_default_routines(file, 0, decoder);
+    return result == EXR_ERR_SUCCESS ? exr_decoding_run(file, 0, decoder) : result;
+}
+
+static exr_result_t read_pixels(exr_context_t file, Film *film) {
+    exr_attr_box2i_t box;
+    exr_result_t result = exr_get_data_window(file, 0, &box);
+    if (result != EXR_ERR_SUCCESS) return result;
+    if (!film_init(film, box.max.x - box.min.x + 1, box.max.y - box.min.y + 1)) return EXR_ERR_OUT_OF_MEMORY;
+    exr_decode_pipeline_t decoder = EXR_DECODE_PIPELINE_INITIALIZER;
+    int32_t lines = 0;
+    result = exr_get_scanlines_per_chunk(file, 0, &lines);
+    for (int y = 0; y < film->height && result == EXR_ERR_SUCCESS; y += lines)
+        result = read_chunk(file, &decoder, film, box.min.y, y);
+    exr_decoding_destroy(file, &decoder);
+    return result;
+}
+
+const char *film_read_exr(Film *film, const char *path) {
+    *film = (Film){0, 0, NULL};
+    exr_context_t file = NULL;
+    exr_result_t result = exr_start_read(&file, path, NULL);
+    if (result == EXR_ERR_SUCCESS) result = read_pixels(file, film);
+    if (file) exr_finish(&file);
+    if (result == EXR_ERR_SUCCESS) return NULL;
+    film_free(film);
+    return exr_get_default_error_message(result);
+}

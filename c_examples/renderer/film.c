@@ -37,6 +37,15 @@ bool film_half(const Film *film, Film *half) {
     return true;
 }
 
+bool film_shrink(const Film *film, int times, Film *small) {
+    if (!film_init(small, film->width / times, film->height / times)) return false;
+    const float share = 1.0f / (float)(times * times);
+    for (int y = 0; y < small->height * times; y++)
+        for (int x = 0; x < small->width * times; x++)
+            for (int c = 0; c < 3; c++) pixel(small, x / times, y / times)[c] += share * pixel(film, x, y)[c];
+    return true;
+}
+
 bool film_side_by_side(const Film *films, size_t count, int gutter, Film *sheet) {
     const int step = films[0].width + gutter;
     if (!film_init(sheet, (int)count * step - gutter, films[0].height)) return false;

@@ -18,8 +18,14 @@ bool film_half(const Film *film, Film *half);
 /* Pictures of one size side by side, with gaps of `gutter` black pixels. */
 bool film_side_by_side(const Film *films, size_t count, int gutter, Film *sheet);
 
+/* Each pixel the mean of a square of `times` by `times`. */
+bool film_shrink(const Film *film, int times, Film *small);
+
 /* A screen's three bytes for a radiance: exposure, film's curve, the sRGB curve. */
 void film_tone(const float rgb[3], double exposure, unsigned char bytes[3]);
+
+/* NULL if the EXR file's channels R, G and B were read into a new film, otherwise why not. */
+const char *film_read_exr(Film *film, const char *path);
 
 /* NULL if the file was written, otherwise why not. The last writes bytes as they are: red, green, blue. */
 const char *film_write_exr(const Film *film, const char *path);

@@ -1,6 +1,6 @@
 #include "shade.h"
 
-#include <stdint.h>
+#include "random.h"
 
 /* What striae wants to know about a surface point, with the sample's square as footprint. */
 static StriaePoint striae_point(const Stage *stage, const Surface *surface, const Sample *sample) {
@@ -31,6 +31,7 @@ static void shade_scratched(const Stage *stage, const Surface *surface, const Sa
     striae_frame(&point, &frame);
     to_local(&frame, surface->position, stage->camera.position, view);
     striae_shade(surface->mesh->pattern, &point, view, &shading);
+    striae_set_bounces(&shading, stage->bounces);
 
     for (size_t i = 0; i < stage->lights.count; i++) {
         const Patch *patch = &stage->lights.patches[i];
@@ -42,13 +43,6 @@ static void shade_scratched(const Stage *stage, const Surface *surface, const Sa
         patch_irradiance(patch, patch->position, surface->position, irradiance);
         for (int c = 0; c < 3; c++) radiance[c] += irradiance[c] * (double)f[c];
     }
-}
-
-/* Numbers in [0,1) that look random but are the same in every run (PCG's output permutation). */
-static double next_random(uint32_t *state) {
-    *state = *state * 747796405u + 2891336453u;
-    const uint32_t word = ((*state >> ((*state >> 28) + 4u)) ^ *state) * 277803737u;
-    return ((word >> 22) ^ word) * (1.0 / 4294967296.0);
 }
 
 /* A matte surface, for what lies about: each lamp's patches are met at random points, for soft shadows. */
@@ -80,6 +74,23 @@ unsigned shade_sample(const Stage *stage, const Sample *sample, double radiance[
         shade_matte(stage, &surface, sample, radiance);
     }
     return surface.face;
+}
+
+bool shade_zones(const Stage *stage, const Sample *sample, Vec lamp, LitZones *lit) {
+    const Vec direction = camera_direction(&stage->camera, sample->x, sample->y);
+    Hit hit;
+    if (!trace_closest(stage->tracer, stage->camera.position, direction, &hit) || !hit.mesh->pattern) return false;
+    const Surface surface = mesh_surface(hit.mesh, hit.triangle, stage->camera.position, direction);
+    const StriaePoint point = striae_point(stage, &surface, sample);
+    StriaeFrame frame;
+    StriaeShading shading;
+    striae_frame(&point, &frame);
+    lit->position = surface.position;
+    to_local(&frame, surface.position, stage->camera.position, lit->view);
+    to_local(&frame, surface.position, lamp, lit->light);
+    striae_shade(hit.mesh->pattern, &point, lit->view, &shading);
+    return striae_zones(&shading, lit->light, lit->zones, SHADE_MAX_ZONES, &lit->count) == STRIAE_STATUS_OK &&
+           lit->count <= SHADE_MAX_ZONES;
 }
 
 void shade_label(const Stage *stage, const Sample *sample, Label *label) {

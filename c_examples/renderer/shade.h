@@ -11,6 +11,7 @@ typedef struct Stage {
     const Tracer *tracer;
     Camera camera;
     Lights lights;
+    uint32_t bounces; /* within scratches: STRIAE_BOUNCES_ONE or STRIAE_BOUNCES_ALL */
 } Stage;
 
 /* A square of the picture: its middle, and its side in pixels. */
@@ -20,6 +21,18 @@ typedef struct Sample {
 
 /* The mean radiance of the sample's square, red, green and blue. Returns the face hit, 0 for none. */
 unsigned shade_sample(const Stage *stage, const Sample *sample, double radiance[3]);
+
+/* The zones of a scratched surface that a sample shows lit from a place; directions and normals in the surface's local frame. */
+enum { SHADE_MAX_ZONES = 256 };
+typedef struct LitZones {
+    StriaeZone zones[SHADE_MAX_ZONES];
+    size_t count;
+    Vec position; /* the sample's middle on the surface */
+    float view[3], light[3];
+} LitZones;
+
+/* False where the sample shows something else. Shadows between surfaces are not looked for. */
+bool shade_zones(const Stage *stage, const Sample *sample, Vec lamp, LitZones *lit);
 
 /* What a pixel shows of scratches: all 0 where there are none. But for coverage it is told of the scratch that covers
    the largest part of the pixel, and there of the place nearest to the pixel's middle. */

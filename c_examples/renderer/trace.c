@@ -110,6 +110,12 @@ bool trace_blocked(const Tracer *tracer, const Surface *surface, Vec light) {
     return ray.tfar < 0.0f;
 }
 
+bool trace_meets(const Tracer *tracer, Vec origin, Vec direction) {
+    struct RTCRay ray = ray_along(origin, direction, INFINITY);
+    occluded(tracer->geometry, &ray);
+    return ray.tfar < 0.0f;
+}
+
 void trace_prepare_thread(void) {
 #ifdef __SSE2__
     _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);

@@ -19,6 +19,9 @@ bool trace_closest(const Tracer *tracer, Vec origin, Vec direction, Hit *hit);
 /* Whether something lies between a surface point and a light. */
 bool trace_blocked(const Tracer *tracer, const Surface *surface, Vec light);
 
+/* Whether a ray meets anything at all. */
+bool trace_meets(const Tracer *tracer, Vec origin, Vec direction);
+
 /* Embree asks for it, once per thread that traces: numbers too small to be normal count as zero. */
 void trace_prepare_thread(void);
 #endif

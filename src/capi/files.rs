@@ -4,6 +4,7 @@ use super::handle::{array, borrowed, exclusive, make_shared};
 use super::hardness::StriaeHardnessMap;
 use super::host_brdf::StriaeHostBrdf;
 use super::pattern::{StriaePattern, StriaePatternBuilder};
+use super::relief_mesh::StriaeReliefMesh;
 use super::status::{Refusal, StriaeStatus, guard_any};
 use super::tool::StriaeTool;
 use crate::error::{Error, Result};
@@ -189,6 +190,28 @@ pub unsafe extern "C" fn striae_pattern_open_with(
     };
     // SAFETY: NULL or writable, as the header asks.
     guard_any(|| unsafe { make_shared::<_, FileError>("pattern", pattern, make) })
+}
+
+/// Writes a mesh to a file, mm: Wavefront OBJ or PLY, by the end of the file's name.
+///
+/// An OBJ has a group for each scratch (scratch_0 on, surface) and names a material for each base BRDF (brdf_0 on). A PLY
+/// (binary, little-endian, coordinates in double precision) has both numbers with each face: scratch, -1 on the unscratched
+/// surface, and brdf. A file that cannot be written, and a name that ends otherwise, are answered with STRIAE_STATUS_FILE.
+///
+/// Not in a library that was built without the cargo feature `files` (it is on by default).
+///
+/// @param mesh the mesh
+/// @param path the file's path, ending in .obj or .ply, NUL-terminated: any bytes on Unix, UTF-8 elsewhere
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_relief_mesh_write(
+    mesh: *const StriaeReliefMesh,
+    path: *const c_char,
+) -> StriaeStatus {
+    guard_any(|| {
+        // SAFETY: NULL or valid, as the header asks.
+        let (mesh, path) = unsafe { (borrowed("mesh", mesh)?, path_from("path", path)?) };
+        mesh.0.write(path)
+    })
 }
 
 /// # Safety

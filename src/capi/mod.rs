@@ -29,6 +29,7 @@ mod material;
 mod pattern;
 #[cfg(feature = "files")]
 mod plot;
+mod relief_mesh;
 mod sampling;
 mod shading;
 mod status;
@@ -51,6 +52,7 @@ pub use material::*;
 pub use pattern::*;
 #[cfg(feature = "files")]
 pub use plot::*;
+pub use relief_mesh::*;
 pub use sampling::*;
 pub use shading::*;
 pub use status::*;

@@ -18,6 +18,7 @@ mod plot;
 mod ply;
 mod polygons;
 mod read;
+mod relief;
 mod stl;
 #[cfg(feature = "svg")]
 mod svg;

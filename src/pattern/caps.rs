@@ -13,7 +13,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, Vec2};
 
 /// Points of the scratch's other side that are kept: foot, crest and edge. What is below the edge hides nothing.
-const BEHIND: usize = 3;
+pub(super) const BEHIND: usize = 3;
 
 /// Right ahead the other side is so far behind that it does not matter: at least this share of it lies across.
 const LEAST_ACROSS: f64 = 0.02;
@@ -22,7 +22,7 @@ const LEAST_ACROSS: f64 = 0.02;
 const NARROWEST_RAD: f64 = 1e-6;
 
 /// A sector's border reaches no further out than this times its width along the axis.
-const LONGEST_BORDER: f64 = 5.0;
+pub(super) const LONGEST_BORDER: f64 = 5.0;
 
 /// Both ends, in the order in which travel comes to them.
 pub(crate) const ENDS: [End; 2] = [End::Start, End::Stop];

@@ -20,6 +20,7 @@ mod hosts;
 mod kinds;
 mod layers;
 mod lists;
+mod mesh;
 mod overlap;
 mod palette;
 mod path;
@@ -52,6 +53,7 @@ pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes,
 pub(crate) use hit::Hit;
 pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
+pub use mesh::{MeshRegion, MeshZone, ReliefMesh};
 pub use path::{Curve, Path};
 pub use pattern::{Pattern, PatternMemory};
 pub(crate) use point::Metric;

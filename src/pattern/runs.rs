@@ -478,6 +478,6 @@ struct Near {
 
 /// Where two pieces meet at an angle, both end at the line that halves it. A path that turns back on itself has
 /// no such line: its pieces end square.
-fn halving(a: DVec2, b: DVec2) -> Option<DVec2> {
+pub(super) fn halving(a: DVec2, b: DVec2) -> Option<DVec2> {
     (a.dot(b) > -0.99).then(|| (a + b).normalize_or(a))
 }

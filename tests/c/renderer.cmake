@@ -22,6 +22,12 @@ renderer_test(no_value 2 "--out needs a value" --out)
 renderer_test(unknown_option 2 "\"--frames\" is not an option" --frames 3)
 renderer_test(bad_folder 1 "/proc/nowhere: " --out /proc/nowhere)
 
+# What judges the library takes minutes: here it only refuses what it should.
+add_test(NAME compare_bad_samples COMMAND "${CMAKE_COMMAND}" "-DCOMMAND=$<TARGET_FILE:striae_compare>"
+  "-DARGUMENTS=nowhere 1" -DEXIT_CODE=2 "-DOUTPUT=SAMPLES is \"1\"; accepted: a whole number from 2 to 1000000"
+  -P "${CMAKE_CURRENT_SOURCE_DIR}/expect.cmake")
+striae_test_settings(compare_bad_samples)
+
 add_test(NAME renderer_pictures COMMAND "${CMAKE_COMMAND}" "-DFOLDER=${pictures}"
   -P "${CMAKE_CURRENT_SOURCE_DIR}/pictures.cmake")
 striae_c_test(renderer_layers renderer_layers.c LIBRARIES striae_renderer striae::striae)
