@@ -31,7 +31,7 @@ static void shades(void) {
     StriaePoint points[POINTS];
     float views[POINTS][3];
     for (int i = 0; i < POINTS; i++) {
-        points[i] = plate_point(0.15, 0.5 + 0.0005 * (i % 5), 0.05 * (i % 4));
+        points[i] = plate_point(0.15, 0.5 + 0.0005 * (i % 5), 0.05 * (1 + i % 4));
         for (int k = 0; k < 3; k++) views[i][k] = k < 2 ? share(i, 0.3 + 0.2 * k) - 0.5f : 0.7f;
     }
     const StriaeVectors view = interleaved(views);
