@@ -19,10 +19,10 @@ use striae::scattering::{Output, Shading, Vectors, set_simd};
 const SIDE_MM: f64 = 100.0;
 
 /// Lights and samples that are asked for at once.
-const MANY: usize = 64;
+const MANY: u32 = 64;
 
 /// A call of each kind, and of how many things it disposes.
-const JOBS: [(&str, usize); 10] = [
+const JOBS: [(&str, u32); 10] = [
     ("ggx", 1),
     ("shade_empty", 1),
     ("shade_one", 1),
@@ -48,7 +48,7 @@ fn main() {
         return;
     }
     let mut figures = Vec::new();
-    let times = JOBS.map(|(job, things)| (job, median_ns(job, "simd") / things as f64));
+    let times = JOBS.map(|(job, things)| (job, median_ns(job, "simd") / f64::from(things)));
     set_simd(false);
     let slow = ["eval", "shade_one", "eval_many"].map(|job| (job, median_ns(job, "plain")));
     set_simd(true);
@@ -122,7 +122,7 @@ fn instructions() -> Option<Vec<(&'static str, f64)>> {
         .map(|&(job, things)| {
             // What starting up takes falls out of the difference.
             let (few, many) = (counted(job, 50)?, counted(job, 550)?);
-            Some((job, (many - few) / 500.0 / things as f64))
+            Some((job, (many - few) / 500.0 / f64::from(things)))
         })
         .collect()
 }
@@ -155,8 +155,8 @@ struct Scene {
 
 impl Scene {
     fn new() -> Self {
-        let lights = [0, 1, 2].map(|k| (0..MANY as u32).map(|i| direction(i)[k]).collect());
-        let numbers = [0, 1, 2].map(|k| (0..MANY as u32).map(|i| number(i)[k]).collect());
+        let lights = [0, 1, 2].map(|k| (0..MANY).map(|i| direction(i)[k]).collect());
+        let numbers = [0, 1, 2].map(|k| (0..MANY).map(|i| number(i)[k]).collect());
         Self {
             one: pattern(&[0.5]),
             four: pattern(&[0.5, 0.5003, 0.5006, 0.5009]),
@@ -201,14 +201,16 @@ impl Scene {
                     black_box(rgb);
                 };
                 let lights = vectors(&self.lights);
-                let told = black_box(&*shading).eval_many(&lights, MANY, Output::BrdfCos, tell);
+                let told =
+                    black_box(&*shading).eval_many(&lights, MANY as usize, Output::BrdfCos, tell);
                 told.expect("arrays long enough");
             }
             "sample_many" => {
                 let tell = |_, sample| {
                     black_box(sample);
                 };
-                let told = black_box(&*shading).sample_many(&vectors(&self.numbers), MANY, tell);
+                let told =
+                    black_box(&*shading).sample_many(&vectors(&self.numbers), MANY as usize, tell);
                 told.expect("arrays long enough");
             }
             _ => panic!("{job} is no job"),

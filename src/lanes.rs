@@ -55,7 +55,7 @@ pub(crate) trait Number:
 
 impl Number for f32 {
     #[inline(always)]
-    fn like(self, value: f32) -> Self {
+    fn like(self, value: Self) -> Self {
         value
     }
 
@@ -85,17 +85,17 @@ impl Number for f32 {
     }
 
     #[inline(always)]
-    fn each(self, mut of: impl FnMut(usize, f32) -> f32) -> Self {
+    fn each(self, mut of: impl FnMut(usize, Self) -> Self) -> Self {
         of(0, self)
     }
 
     #[inline(always)]
-    fn lane(self, _: usize) -> f32 {
+    fn lane(self, _: usize) -> Self {
         self
     }
 
     #[inline(always)]
-    fn sum(self) -> f32 {
+    fn sum(self) -> Self {
         self
     }
 }

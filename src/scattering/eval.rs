@@ -107,17 +107,19 @@ impl Shading {
             );
         }
         // To clear them takes as long as to look at a scratch: where there is no flock they are not.
-        let mut both = None;
-        for flock in self.flocks.iter() {
-            let (across, pair) = (flock.across, pair.turned(flock.across));
-            taken += self.zones.each_of_flock(
-                lanes,
-                both.get_or_insert_with(|| [const { Parts::new() }; 2]),
-                &flock,
-                &pair,
-                #[inline(always)]
-                |zone| visit(zone, &pair, across),
-            );
+        if !self.flocks.is_empty() {
+            let mut both = [const { Parts::new() }; 2];
+            for flock in self.flocks.iter() {
+                let (across, pair) = (flock.across, pair.turned(flock.across));
+                taken += self.zones.each_of_flock(
+                    lanes,
+                    &mut both,
+                    &flock,
+                    &pair,
+                    #[inline(always)]
+                    |zone| visit(zone, &pair, across),
+                );
+            }
         }
         let flat = Zone::flat(lanes, rest(self.coverage()), rest(taken));
         visit(&flat, &pair.turned(ACROSS_SURFACE), ACROSS_SURFACE);

@@ -64,6 +64,10 @@ impl Flocks {
         }
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
     pub(crate) fn iter(&self) -> impl Iterator<Item = Flock> {
         (0..(self.count as usize).min(MOST_FLOCKS)).map(|i| Flock {
             // Rounded ones are a little longer or shorter than 1, and what is turned by them would be.

@@ -412,6 +412,10 @@ impl Shading {
     }
 }
 
+#[expect(
+    clippy::manual_map,
+    reason = "a closure given away is not compiled for its caller's registers"
+)]
 #[inline(always)]
 fn all_turned<F: Number>(pairs: Option<&Pairs<F>>, across: Vec2) -> Option<Pairs<F>> {
     match pairs {
