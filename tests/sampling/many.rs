@@ -31,13 +31,13 @@ fn together(shading: &Shading, lights: &[[f32; 3]]) -> (Vec<[f32; 3]>, Vec<f32>)
     let (mut f, mut pdfs) = (vec![[f32::NAN; 3]; count], vec![f32::NAN; count]);
     shading
         .eval_pdf_many(&interleaved, count, |i, one| {
-            (f[i], pdfs[i]) = (one.brdf_cos, one.pdf)
+            (f[i], pdfs[i]) = (one.brdf_cos, one.pdf);
         })
         .unwrap();
     let mut plain = f.clone();
     shading
         .eval_many(&interleaved, count, Output::BrdfCos, |i, rgb| {
-            plain[i] = rgb
+            plain[i] = rgb;
         })
         .unwrap();
     assert_eq!(plain, f, "with densities and without");
