@@ -10,6 +10,7 @@ mod exchange;
 mod flocks;
 mod footprint;
 mod hosted;
+mod lights;
 mod look;
 mod many;
 mod relief;
