@@ -8,7 +8,8 @@
  *     striae_brdf_metal(), striae_brdf_host()    how its zones reflect, if not as it says: by name, or by code of yours
  *     striae_pattern_builder_new()               how large the surface is, and its material
  *     striae_pattern_builder_add_scratch()       a path, and force and orientation along it; by the many:
- *                                                striae_pattern_builder_generate(), _add_svg(), _load()
+ *                                                striae_pattern_builder_add_scratches(), _generate(), _add_svg(),
+ *                                                _load()
  *     striae_pattern_builder_build()             the pattern, for all threads; then
  *     striae_pattern_builder_free()
  *
@@ -17,9 +18,13 @@
  *     striae_eval()                              per light: BRDF times cosine
  *     striae_sample()                            path tracers, per bounce: a light, its weight and density; for lights
  *     striae_eval_pdf(), _pdf_reverse()          chosen by others, BRDF times cosine and density, forwards and back
+ *     striae_shade_many(), _eval_many(), ...     the same for whole arrays, several times as fast where points have many
+ *                                                lights
  *     striae_set_bounces()                       per shading point, if light is to go from wall to wall of a groove
  *     striae_zones(), striae_parameters()        what the point is made of; one lobe in place of all
  *     striae_pattern_query()                     which scratches are there, for masks and labels
+ *
+ *     striae_relief_mesh()                       the relief as triangles, to print, to check, or to look at from inside
  *
  *     striae_pattern_release(), striae_tool_release()
  *
