@@ -166,14 +166,22 @@ impl Span {
         if first == last {
             return Self::Even(per_mm(track, first));
         }
-        // Gauss and Legendre's rule of two points for each step: within half a percent where a scratch sets in, too.
+        // Classes at two places of each (Gauss and Legendre's), its width as it is on average.
         let nodes = [0.211_324_865_405_187, 0.788_675_134_594_813];
+        let value = |place: f64| first + place / STEPS as f64 * (last - first);
         let mut steps = [ClassAreas::default(); STEPS];
         for (i, step) in steps.iter_mut().enumerate() {
-            for node in nodes {
-                let share = (i as f64 + node) / STEPS as f64;
-                let own = per_mm(track, first + share * (last - first));
-                add(step, &own, 0.5);
+            let places = nodes.map(|node| value(i as f64 + node));
+            let width_mm = single(track.mean_width(value(i as f64), value((i + 1) as f64)));
+            let looked = places.map(|place| {
+                let ([left, right], classes) = track.ends_and_classes(place);
+                // Where it sets in, too, what there is has a class.
+                ((right - left).max(1e-3 * width_mm), classes)
+            });
+            let both = looked[0].0 + looked[1].0;
+            for (weight, classes) in looked {
+                let share = if both > 0.0 { weight / both } else { 0.0 };
+                add_shares(step, &classes, share * width_mm);
             }
         }
         Self::Changing { lengths, at, steps }
@@ -285,8 +293,8 @@ mod tests {
     use crate::formation::{Material, Tool};
     use crate::pattern::{Key, Path, PatternBuilder, Scratch};
 
-    /// A curved scratch that sets in, steadies and runs out, cut once: all stretches together hold what the integral
-    /// of its width says, however they are cut, and each what later scratches leave of it.
+    /// A curved scratch that sets in, steadies and runs out, cut once: all stretches together hold what the integral of
+    /// its width says, less what the later scratch takes, within half a percent, however they are cut.
     #[test]
     fn stretches_add_up() {
         let builder = PatternBuilder::new(Material::metal(Metal::Steel), 1.0, [100.0; 2]);
@@ -300,13 +308,14 @@ mod tests {
             ..Scratch::new(&tool)
         };
         builder.add(&scratch).unwrap();
-        let line = [[0.35, 0.3], [0.45, 0.3]];
+        let line = [[0.325, 0.1], [0.325, 0.25]];
         let path = Path::Polyline(&line);
         builder.add(&Scratch { path, ..scratch }).unwrap();
         let pattern = builder.build();
         let (track, course) = pattern.strand(0).unwrap();
         let [first, last] = pattern.pieces_of(0);
-        assert!((first..=last).any(|piece| pattern.visible_share(piece) < 1.0));
+        let is_cut = (first..=last).any(|piece| pattern.visible_share(piece) < 1.0);
+        assert!(is_cut, "the later scratch leaves all");
         for piece in first..=last {
             let (mut whole, mut parts, mut longest) = (0.0, 0.0, 0.0_f64);
             let sum = |areas: ClassAreas| f64::from(areas.iter().sum::<f32>());
@@ -322,16 +331,18 @@ mod tests {
                     .sum::<f64>();
                 longest = longest.max(chord.travel.length());
             });
-            assert!((parts / whole - 1.0).abs() < 1e-5, "{parts} and {whole}");
+            assert!((parts / whole - 1.0).abs() < 5e-3, "{parts} and {whole}");
             let [from, to] = pattern.curves().at(piece);
+            let lengths = LengthShares::of(&pattern.curves().control(piece));
             let steps = 10_000;
-            let width = |i: i32| {
-                let at = from + (to - from) * (f64::from(i) + 0.5) / f64::from(steps);
-                track.width(course.value(at))
+            let left_mm = |i: i32| {
+                let share = (f64::from(i) + 0.5) / f64::from(steps);
+                let quarter = cell_number(4.0 * lengths.parameter(share)) as usize;
+                let width_mm = track.width(course.value(from + (to - from) * share));
+                width_mm * f64::from(pattern.visible(piece)[quarter]) / 255.0
             };
-            let mean_mm = (0..steps).map(width).sum::<f64>() / f64::from(steps);
+            let mean_mm = (0..steps).map(left_mm).sum::<f64>() / f64::from(steps);
             let truth = mean_mm * (to - from) * pattern.length_of(0);
-            let truth = truth * f64::from(pattern.visible_share(piece));
             let off = whole / truth - 1.0;
             assert!(off.abs() < 5e-3, "piece {piece}: {whole} and {truth}");
             assert!(longest > 0.0, "piece {piece} has no chords");
