@@ -57,7 +57,6 @@ FORWARD(StriaeStatus, striae_pattern_query,
          StriaeHitCount *count),
         (pattern, point, hits, capacity, count))
 FORWARD(StriaeStatus, striae_brdf_host, (const StriaeHostBrdf *host, StriaeBrdf *brdf), (host, brdf))
-FORWARD(StriaeStatus, striae_set_bounces, (StriaeShading * shading, uint32_t bounces), (shading, bounces))
 FORWARD(StriaeStatus, striae_sample, (const StriaeShading *shading, const float u[3], StriaeSample *sample),
         (shading, u, sample))
 FORWARD(StriaeStatus, striae_sample_world,
@@ -73,9 +72,6 @@ FORWARD(StriaeStatus, striae_eval_pdf,
 FORWARD(StriaeStatus, striae_eval_pdf_world,
         (const StriaeShading *shading, const StriaeFrame *frame, const float light[3], StriaeEvaluated *evaluated),
         (shading, frame, light, evaluated))
-FORWARD(StriaeStatus, striae_zones,
-        (const StriaeShading *shading, const float light[3], StriaeZone *zones, size_t capacity, size_t *count),
-        (shading, light, zones, capacity, count))
 FORWARD(StriaeStatus, striae_zone_brdf, (const StriaeShading *shading, uint32_t number, StriaeBrdf *brdf),
         (shading, number, brdf))
 FORWARD(StriaeStatus, striae_parameters, (const StriaeShading *shading, StriaeParameters *parameters),
