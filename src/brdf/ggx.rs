@@ -35,8 +35,10 @@ fn smith<F: Number>(alpha: Vec2, w: &Vector<F>) -> F {
 pub(super) fn sample(alpha: Vec2, u: [f32; 2], view: Vec3) -> Vec3 {
     let stretch = alpha.extend(1.0);
     let view = (view * stretch).normalize_or_zero();
-    let z = (1.0 - u[1]) * (1.0 + view.z) - view.z;
-    let sin = (1.0 - z * z).max(0.0).sqrt();
+    // Near the cap's pole the sine has no digits left in 1 - z².
+    let below_pole = u[1] * (1.0 + view.z);
+    let z = 1.0 - below_pole;
+    let sin = (below_pole * (2.0 - below_pole)).max(0.0).sqrt();
     let (sin_azimuth, cos_azimuth) = (TAU * u[0]).sin_cos();
     let cap = Vec3::new(sin * cos_azimuth, sin * sin_azimuth, z);
     ((cap + view) * stretch).normalize_or_zero()
