@@ -13,7 +13,7 @@ PACKAGES := cmake libembree-dev libopenexr-dev libpng-dev pkg-config
 TEST_PACKAGES := $(PACKAGES) g++ binutils valgrind
 
 .DEFAULT_GOAL := help
-.PHONY: help demo figures compare test bench clean rust
+.PHONY: help demo figures compare test bench page clean rust
 
 help:
 	@echo "make demo           render the plate's three views into $(OUT)/"
@@ -24,6 +24,7 @@ help:
 	@echo "                    $(OUT)/compare.json and pictures in $(OUT)/compare/; ten minutes or so"
 	@echo "make test           every check: Rust and C"
 	@echo "make bench          what cross-sections, a million scratches and the index cost: $(OUT)/bench.json"
+	@echo "make page           $(OUT)/index.html of all that the other commands left there, with FLIP maps; they make it themselves"
 	@echo "make clean          remove $(BUILD)/, $(OUT)/ and target/"
 
 # The demo reads no files: a library without them builds in half the time.
@@ -39,6 +40,7 @@ figures: rust
 	@$(CONFIGURE) -DSTRIAE_BUILD_TESTS=OFF
 	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_figure9
 	@$(BUILD)/c_examples/figure9/striae_figure9 $(OUT)
+	@$(MAKE) page
 
 # Like the demo it reads no files, and shares its build.
 compare: BUILD := build/demo
@@ -48,6 +50,7 @@ compare: rust
 	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_compare
 	@mkdir -p $(OUT)
 	@$(BUILD)/c_examples/compare/striae_compare $(OUT)/compare $(ARGS)
+	@$(MAKE) page
 
 test: rust
 	@scripts/need $(TEST_PACKAGES)
@@ -55,6 +58,11 @@ test: rust
 
 bench: rust
 	@cargo bench --locked
+
+# Of what the others left in $(OUT).
+page: rust
+	@scripts/need g++
+	@cargo run --quiet --release --locked --manifest-path tools/page/Cargo.toml --target-dir target/page -- $(OUT)
 
 clean:
 	rm -rf $(BUILD) $(OUT) target

@@ -1,6 +1,7 @@
 #include "report.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -62,8 +63,8 @@ static bool write_json(const Report *report) {
     put(file, "interreflection_matte_worst", all->matte);
     put(file, "povray_lambert_worst", lambert->plain);
     put(file, "povray_lambert_crossings_worst", lambert->crossed);
-    put(file, "povray_gloss_worst", gloss->plain);
-    put(file, "povray_gloss_crossings_worst", gloss->crossed);
+    put(file, "povray_worst", fmax(lambert->plain, gloss->plain));
+    put(file, "povray_crossings_worst", fmax(lambert->crossed, gloss->crossed));
     fprintf(file, "  \"interreflection_noise\": %.6f\n}\n", all->noise);
     return fclose(file) == 0 || complain(path, strerror(errno));
 }
