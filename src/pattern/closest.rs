@@ -12,6 +12,12 @@ pub(crate) fn bezier(control: &[DVec2; 4], t: f64) -> DVec2 {
     ab.lerp(bc, t).lerp(bc.lerp(cd, t), t)
 }
 
+/// Whether a curve is a straight line that is run through evenly, as far as rounding lets one tell.
+fn is_even_line([a, b, c, d]: &[DVec2; 4]) -> bool {
+    let bends = [*a - 2.0 * *b + *c, *b - 2.0 * *c + *d].map(DVec2::length_squared);
+    bends[0].max(bends[1]) <= 1e-18 * (*d - *a).length_squared()
+}
+
 /// Its first and second derivatives.
 fn derivatives(control: &[DVec2; 4], t: f64) -> (DVec2, DVec2) {
     let [a, b, c, d] = *control;
@@ -24,7 +30,7 @@ fn derivatives(control: &[DVec2; 4], t: f64) -> (DVec2, DVec2) {
 /// Parameter, point and unit tangent nearest to `target`.
 ///
 /// Pieces turn little, so Newton's method from the foot on the chord settles within three steps (on a straight line
-/// it is there at once); the parameter stays in 0 to 1.
+/// it is there before the first); the parameter stays in 0 to 1.
 pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2) {
     let chord = control[3] - control[0];
     let along = (target - control[0]).dot(chord) / chord.length_squared();
@@ -33,6 +39,9 @@ pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2
     } else {
         0.5
     };
+    if is_even_line(control) {
+        return (t, control[0] + chord * t, chord.normalize_or(DVec2::X));
+    }
     for _ in 0..3 {
         let away = bezier(control, t) - target;
         let (first, second) = derivatives(control, t);
@@ -52,9 +61,12 @@ pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2
 
 /// The unit tangent at parameter t.
 pub(crate) fn tangent(control: &[DVec2; 4], t: f64) -> DVec2 {
-    let (first, second) = derivatives(control, t);
     let [a, _, _, d] = *control;
     let chord = d - a;
+    if is_even_line(control) {
+        return chord.normalize_or(DVec2::X);
+    }
+    let (first, second) = derivatives(control, t);
     // At a control point that lies on the curve's end the derivative vanishes: the curve leaves along the next.
     let vanishes = first.length_squared() <= 1e-12 * chord.length_squared();
     let inward = if t > 0.5 { -second } else { second };
@@ -125,7 +137,10 @@ impl LengthShares {
 
 /// Share of the piece's arc length at parameter t.
 pub(crate) fn length_share(control: &[DVec2; 4], t: f64) -> f64 {
-    LengthShares::of(control).at(t)
+    match is_even_line(control) {
+        true => t,
+        false => LengthShares::of(control).at(t),
+    }
 }
 
 #[cfg(test)]

@@ -70,20 +70,20 @@ const MEASURED_PARTS: usize = 16;
 /// independently of one another.
 pub(crate) fn uncut_share(hits: &[Hit<'_>], i: usize) -> f64 {
     let run = &hits[i];
-    let Some(own) = run.cover else { return 0.0 };
+    let Some(own) = &run.cover else { return 0.0 };
     let [low, high] = own.bounds();
     let (ends, area) = (run.ends_mm, own.area());
     let mut parts: ArrayVec<Region, MEASURED_PARTS> = ArrayVec::new();
-    parts.push(own);
+    parts.push(*own);
     if cut(hits, i, &mut parts, area) {
         return parts.iter().map(Region::area).sum::<f64>() / area;
     }
     let mut left = 1.0;
     for later in &hits[i + 1..] {
-        let Some(cover) = later.cover else { continue };
+        let Some(cover) = &later.cover else { continue };
         let [from, to] = cover.bounds();
         if from.cmple(high).all() && to.cmpge(low).all() && !later.adjoins(run) {
-            let cut = run.covered(ends, &cover).map_or(0.0, |cut| cut.area());
+            let cut = run.covered(ends, cover).map_or(0.0, |cut| cut.area());
             left *= 1.0 - (cut / area).min(1.0);
         }
     }

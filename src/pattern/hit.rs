@@ -50,17 +50,25 @@ impl Hit<'_> {
         ]
     }
 
+    /// Cuts the cover, until then all of the footprint beside the run, down to what lies between its ends across.
+    pub(super) fn cut_cover(&mut self) {
+        let sides = self.sides(self.ends_mm);
+        if self.cover.as_mut().is_some_and(|cover| !cover.keep(&sides)) {
+            self.cover = None;
+        }
+    }
+
     /// The four lines that bound what the run covers between two distances across.
     pub(crate) fn borders(&self, across_mm: [f64; 2]) -> [[DVec2; 2]; 4] {
         let [left, right] = self.sides(across_mm);
-        let [[start, forwards], [end, onwards]] = self.parting;
-        [left, right, [start, forwards], [end, -onwards]]
+        let [start, end] = self.parting_lines();
+        [left, right, start, end]
     }
 
-    /// The part of the footprint beside this run of the scratch.
-    pub(crate) fn beside(&self, footprint: &Region) -> Option<Region> {
-        let [[start, forwards], [end, onwards]] = self.parting;
-        footprint.within(&[[start, forwards], [end, -onwards]])
+    /// Point and inward direction of the lines across which this run begins and ends.
+    pub(crate) fn parting_lines(&self) -> [[DVec2; 2]; 2] {
+        let [start, [end, onwards]] = self.parting;
+        [start, [end, -onwards]]
     }
 
     /// Whether one of two runs goes on where the other ends.

@@ -231,13 +231,13 @@ impl Listing<'_> {
             return false;
         }
         for (i, run) in runs.iter().enumerate() {
-            let Some(cover) = run.cover else { continue };
+            let Some(cover) = &run.cover else { continue };
             let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
-            parts.push(cover);
+            parts.push(*cover);
             let area = if cut(&runs, i, &mut parts, self.pixel_area) {
                 parts.iter().map(Region::area).sum()
             } else {
-                sampled(&runs[i + 1..], &cover)
+                sampled(&runs[i + 1..], cover)
             };
             self.add(run, area);
         }
@@ -245,7 +245,7 @@ impl Listing<'_> {
     }
 
     fn add_average(&mut self, run: &Hit<'_>) {
-        let area = run.cover.map_or(0.0, |cover| cover.area());
+        let area = run.cover.as_ref().map_or(0.0, Region::area);
         self.add(run, area * f64::from(run.visible));
     }
 

@@ -2,39 +2,38 @@
 
 use super::track::MOST_VERTICES;
 
-/// Interfaces crossed by one cross-section are cut as long as there is room for this many vertices.
-const MOST_CUT: usize = MOST_VERTICES + 16;
+/// As many vertices as a cross-section has at most once it is cut.
+pub(crate) const MOST_CUT: usize = MOST_VERTICES + 16;
 
-/// A cross-section whose every facet lies in one layer.
+/// Where a cross-section goes whose every facet lies in one layer.
 #[derive(Debug)]
-pub(crate) struct Layered {
-    x: [f32; MOST_CUT],
-    z: [f32; MOST_CUT],
-    /// The layer of each facet, 0 the top one.
-    layer: [u8; MOST_CUT],
-    count: usize,
+pub(crate) struct Layered<'s> {
+    pub x: &'s mut [f32],
+    pub z: &'s mut [f32],
+    /// The layer of the facet that each vertex begins, 0 the top one.
+    pub layer: &'s mut [u8],
 }
 
-impl Layered {
+impl Layered<'_> {
     /// Cuts a cross-section (its outermost two facets on each side are a peak's flanks) at the `interfaces`,
-    /// z from the surface down, mm.
+    /// z from the surface down, mm; how many vertices that gives. Where room runs out (the shape's own vertices must
+    /// find some), interfaces are left out.
     ///
     /// Piled-up material keeps the layer that it came from: the outer flanks show the top layer, the inner
     /// flanks the deepest one that the groove reaches.
     pub(crate) fn cut(
+        self,
         xs: &[f32],
         zs: &[f32],
         interfaces: impl Iterator<Item = f32> + Clone,
-    ) -> Self {
-        let mut cut = Self {
-            x: [0.0; MOST_CUT],
-            z: [0.0; MOST_CUT],
-            layer: [0; MOST_CUT],
+    ) -> usize {
+        let mut cut = Cut {
+            slots: self,
             count: 0,
         };
         if interfaces.clone().next().is_none() {
             xs.iter().zip(zs).for_each(|(&x, &z)| cut.push([x, z], 0));
-            return cut;
+            return cut.count;
         }
         let layer_at = |z: f32| {
             interfaces
@@ -53,7 +52,19 @@ impl Layered {
             }
         }
         cut.push([xs[facets], zs[facets]], 0);
-        cut
+        cut.count
+    }
+}
+
+/// A cross-section as far as it is cut.
+struct Cut<'s> {
+    slots: Layered<'s>,
+    count: usize,
+}
+
+impl Cut<'_> {
+    fn room(&self) -> usize {
+        self.slots.x.len().min(MOST_CUT)
     }
 
     /// Appends the start of a groove facet, and its crossings with the interfaces in order, as far as there
@@ -79,32 +90,26 @@ impl Layered {
         let mut from = 0.0;
         for &to in &shares[..=crossings] {
             let at = |share: f32| [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
-            if from == 0.0 || self.count + to_come < MOST_CUT {
+            if from == 0.0 || self.count + to_come < self.room() {
                 self.push(at(from), layer_at(at(0.5 * (from + to))[1]));
             }
             from = to;
         }
     }
 
-    /// Vertices x and z, and the layer of the facet that each begins.
-    pub(crate) fn parts(&self) -> (&[f32], &[f32], &[u8]) {
-        (
-            &self.x[..self.count],
-            &self.z[..self.count],
-            &self.layer[..self.count],
-        )
-    }
-
     /// A vertex where the last one is takes its place: facets without length would fill a shading point for
     /// nothing.
     fn push(&mut self, [x, z]: [f32; 2], layer: u8) {
-        if self.count > 0 && [self.x[self.count - 1], self.z[self.count - 1]] == [x, z] {
+        let Layered {
+            x: xs,
+            z: zs,
+            layer: layers,
+        } = &mut self.slots;
+        if self.count > 0 && xs[self.count - 1] == x && zs[self.count - 1] == z {
             self.count -= 1;
         }
-        if self.count < MOST_CUT {
-            self.x[self.count] = x;
-            self.z[self.count] = z;
-            self.layer[self.count] = layer;
+        if self.count < xs.len() {
+            (xs[self.count], zs[self.count], layers[self.count]) = (x, z, layer);
             self.count += 1;
         }
     }
@@ -114,13 +119,26 @@ impl Layered {
 mod tests {
     use super::*;
 
+    fn cut(xs: &[f32], zs: &[f32], interfaces: &[f32]) -> (Vec<f32>, Vec<f32>, Vec<u8>) {
+        let (mut x, mut z, mut layer) = (vec![0.0; 20], vec![0.0; 20], vec![0; 20]);
+        let slots = Layered {
+            x: &mut x,
+            z: &mut z,
+            layer: &mut layer,
+        };
+        let count = slots.cut(xs, zs, interfaces.iter().copied());
+        x.truncate(count);
+        z.truncate(count);
+        layer.truncate(count);
+        (x, z, layer)
+    }
+
     /// A V through two interfaces: its walls are cut at both, each part shows its layer, the peaks theirs.
     #[test]
     fn v_through_two_layers() {
         let xs = [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0];
         let zs = [0.0, 1.0, 0.0, -1.0, 0.0, 1.0, 0.0];
-        let cut = Layered::cut(&xs, &zs, [-0.25, -0.75].into_iter());
-        let (x, z, layer) = cut.parts();
+        let (x, z, layer) = cut(&xs, &zs, &[-0.25, -0.75]);
         assert_eq!(
             x,
             [
@@ -135,8 +153,8 @@ mod tests {
     #[test]
     fn nothing_to_cut() {
         let (xs, zs) = ([-1.0, -0.5, 0.0, 0.5, 1.0], [0.0, 0.5, -1.0, 0.5, 0.0]);
-        let cut = Layered::cut(&xs, &zs, core::iter::empty());
-        assert_eq!(cut.parts().0, xs);
-        assert_eq!(cut.parts().2, [0; 5]);
+        let (x, _, layer) = cut(&xs, &zs, &[]);
+        assert_eq!(x, xs);
+        assert_eq!(layer, [0; 5]);
     }
 }

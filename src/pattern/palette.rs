@@ -1,6 +1,6 @@
 //! The few cross-sections that stand for all of a pattern's where many scratches share a pixel.
 
-use super::layers::Layered;
+use super::layers::{Layered, MOST_CUT};
 use super::store::Store;
 use super::track::MOST_VERTICES;
 use super::tracks::{TrackRef, Tracks};
@@ -196,8 +196,13 @@ impl Palette {
         let (xs, zs) = (&mut xs[..count], &mut zs[..count]);
         track.profile(track.station_at(station)).sample(xs, zs);
         let bottoms = track.layers.iter().map(|layer| layer.bottom_mm);
-        let layered = Layered::cut(xs, zs, bottoms);
-        let (xs, zs, layers) = layered.parts();
+        let (mut x, mut z, mut layer) = ([0.0; MOST_CUT], [0.0; MOST_CUT], [0; MOST_CUT]);
+        let slots = Layered {
+            x: &mut x,
+            z: &mut z,
+            layer: &mut layer,
+        };
+        let cut = slots.cut(xs, zs, bottoms);
         let finishes: Vec<Finish> = track.finishes().collect();
         let number = |layer: u8| self.finish_number(&finishes[layer as usize]);
         let corner = |((&x, &z), &layer): ((&f32, &f32), &u8)| Point {
@@ -205,7 +210,7 @@ impl Palette {
             z,
             finish: number(layer),
         };
-        let points: Vec<Point> = xs.iter().zip(zs).zip(layers).map(corner).collect();
+        let points: Vec<Point> = x.iter().zip(&z).zip(&layer).take(cut).map(corner).collect();
         Shape::of(&points)
     }
 

@@ -1,11 +1,16 @@
 //! A shading point as a renderer knows it, and the millimetres it means.
 
-use super::region::Region;
+use super::region::{Region, THINNEST_MM};
 use crate::error::{Error, Result, all_finite, in_range};
+use core::f64::consts::FRAC_1_SQRT_2;
 use glam::{DMat2, DVec2, DVec3, Vec3};
 
 /// Longer footprints are taken for mistakes.
 const LONGEST_MM: f64 = 1e12;
+
+/// Derivatives and normals whose box has less than one in so many of the volume that their lengths could span are
+/// looked at closely.
+const MOST_SKEW: f64 = 1e6;
 
 /// What a pixel covers of the surface around a shading point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -82,6 +87,40 @@ impl Frame {
     /// The other way round.
     pub fn to_world(&self, local: Vec3) -> Vec3 {
         self.x * local.x + self.y * local.y + self.z * local.z
+    }
+}
+
+impl SurfacePoint {
+    /// A box in (u, v) that holds all within reach of the footprint, told at a glance: most points have no scratch
+    /// near, and need no frame. None for points that ask for a closer look, and for those that are not usable.
+    pub(crate) fn box_at_a_glance(&self, mm_per_unit: f64, reach_mm: f64) -> Option<[DVec2; 2]> {
+        let [du, dv, normal] =
+            [self.dp_du, self.dp_dv, self.normal].map(|v| Vec3::from(v).as_dvec3());
+        let [du_length, dv_length, length] = [du, dv, normal].map(DVec3::length);
+        let area = du.cross(dv).dot(normal).abs();
+        // A step of 1 mm is the less far in u the longer dP/du, the farther the more it leans towards dP/dv.
+        let uv_per_mm = DVec2::new(dv_length, du_length) * (length / (area * mm_per_unit));
+        let (half, reach_mm, longest_mm) = match self.footprint {
+            Footprint::Point => (DVec2::ZERO, reach_mm, THINNEST_MM),
+            Footprint::Radius(radius) => {
+                let side = 2.0 * f64::from(radius) * mm_per_unit;
+                (DVec2::ZERO, reach_mm + side * FRAC_1_SQRT_2, side)
+            }
+            Footprint::Differentials { duv_dx, duv_dy } => {
+                let [x, y] = [duv_dx, duv_dy].map(|[u, v]| DVec2::new(u.into(), v.into()).abs());
+                let half = 0.5 * (x + y);
+                let longest = (half.x * du_length + half.y * dv_length) * 2.0 * mm_per_unit;
+                (half, reach_mm, longest)
+            }
+        };
+        // What makes a sliver a region may widen it by so much.
+        let reach_mm = reach_mm + THINNEST_MM + 1e-7 * longest_mm;
+        let is_plain = du_length * dv_length * length < MOST_SKEW * area
+            && longest_mm > 0.0
+            && longest_mm < LONGEST_MM;
+        let uv = DVec2::from(self.uv);
+        let reach = half + uv_per_mm * reach_mm;
+        (is_plain && uv.is_finite()).then_some([uv - reach, uv + reach])
     }
 }
 
@@ -182,6 +221,9 @@ impl Metric {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pattern::Reach;
+    use rand::rngs::StdRng;
+    use rand::{Rng, SeedableRng};
 
     /// Frames hold at any scale of the vectors they are made from.
     #[test]
@@ -200,6 +242,122 @@ mod tests {
                 frame.to_local(Vec3::Y).abs_diff_eq(Vec3::Y, 1e-6),
                 "{scale}: {frame:?}"
             );
+        }
+    }
+
+    /// What is told at a glance holds all that a close look finds within reach, however skewed the derivatives and
+    /// whatever the footprint; where it does not tell, nothing is lost.
+    #[test]
+    fn glance_holds_the_exact_box() {
+        let mut rng = StdRng::seed_from_u64(3);
+        let mut told = 0;
+        for i in 0..2000 {
+            let mut vector = || [0; 3].map(|_| rng.random::<f32>() - 0.5);
+            let (dp_du, dp_dv, normal) = (vector(), vector(), vector());
+            let [a, b] = [vector(), vector()].map(|[u, v, _]| [u * 1e-3, v * 1e-3]);
+            let point = SurfacePoint {
+                uv: [0.3, 0.7],
+                dp_du,
+                // Every fifth is a sliver of a chart.
+                dp_dv: if i % 5 == 0 {
+                    [0, 1, 2].map(|k| dp_du[k] + 1e-7 * dp_dv[k])
+                } else {
+                    dp_dv
+                },
+                normal,
+                footprint: match i % 3 {
+                    0 => Footprint::Point,
+                    1 => Footprint::Radius(a[0].abs()),
+                    _ => Footprint::Differentials {
+                        duv_dx: a,
+                        duv_dy: b,
+                    },
+                },
+            };
+            let Some([low, high]) = point.box_at_a_glance(10.0, 0.02) else {
+                continue;
+            };
+            told += 1;
+            let frame = Frame::at(&point).unwrap();
+            let metric = Metric::at(&point, &frame, 10.0).unwrap();
+            let (footprint, status) = metric.region(&point.footprint, 10.0);
+            status.unwrap();
+            let reach = Reach {
+                metric: &metric,
+                footprint: &footprint,
+                reach_mm: 0.02,
+            };
+            let [exact_low, exact_high] = reach.box_uv();
+            let slack = DVec2::splat(1e-6) * (high - low);
+            let held =
+                (low - slack).cmple(exact_low).all() && (high + slack).cmpge(exact_high).all();
+            assert!(
+                held,
+                "{point:?}: {low}..{high} does not hold {exact_low}..{exact_high}"
+            );
+        }
+        assert!(told > 1500, "only {told} of 2000 points were told");
+    }
+
+    /// A point that is none is left to the close look, which says why.
+    #[test]
+    fn glance_leaves_unusable_points() {
+        let good = SurfacePoint {
+            uv: [0.0; 2],
+            dp_du: [1.0, 0.0, 0.0],
+            dp_dv: [0.0, 1.0, 0.0],
+            normal: [0.0, 0.0, 1.0],
+            footprint: Footprint::Radius(1.0),
+        };
+        assert!(good.box_at_a_glance(1.0, 0.1).is_some(), "a good point");
+        let nan = f32::NAN;
+        let bad = [
+            SurfacePoint {
+                uv: [f64::NAN, 0.0],
+                ..good
+            },
+            SurfacePoint {
+                dp_du: [0.0; 3],
+                ..good
+            },
+            SurfacePoint {
+                dp_du: [nan, 0.0, 0.0],
+                ..good
+            },
+            SurfacePoint {
+                dp_dv: good.dp_du,
+                ..good
+            },
+            SurfacePoint {
+                normal: [0.0; 3],
+                ..good
+            },
+            SurfacePoint {
+                normal: [f32::INFINITY, 0.0, 0.0],
+                ..good
+            },
+            SurfacePoint {
+                footprint: Footprint::Radius(0.0),
+                ..good
+            },
+            SurfacePoint {
+                footprint: Footprint::Radius(nan),
+                ..good
+            },
+            SurfacePoint {
+                footprint: Footprint::Radius(f32::MAX),
+                ..good
+            },
+            SurfacePoint {
+                footprint: Footprint::Differentials {
+                    duv_dx: [0.0; 2],
+                    duv_dy: [0.0; 2],
+                },
+                ..good
+            },
+        ];
+        for point in bad {
+            assert!(point.box_at_a_glance(1.0, 0.1).is_none(), "{point:?}");
         }
     }
 }

@@ -115,9 +115,18 @@ impl<'p> Profile<'p> {
 
     /// Its vertices, as x and z written to the two slices.
     pub(crate) fn sample(&self, xs: &mut [f32], zs: &mut [f32]) {
-        for (number, (x, z)) in xs.iter_mut().zip(zs).enumerate().take(self.vertex_count) {
-            let point = self.vertex(number);
-            (*x, *z) = (point.x, point.y);
+        let vertices = self.vertices.get(..self.vertex_count).unwrap_or(&[]);
+        for ((x, z), vertex) in xs.iter_mut().zip(&mut *zs).zip(vertices) {
+            (*x, *z) = (vertex.x * self.weights[0], vertex.y * self.weights[0]);
+        }
+        // Mostly there is one shape, or two.
+        for (shape, weight) in self.weights[..self.shapes].iter().enumerate().skip(1) {
+            let first = shape * self.stride;
+            let vertices = self.vertices.get(first..first + self.vertex_count);
+            for ((x, z), vertex) in xs.iter_mut().zip(&mut *zs).zip(vertices.unwrap_or(&[])) {
+                *x += vertex.x * weight;
+                *z += vertex.y * weight;
+            }
         }
     }
 

@@ -80,7 +80,7 @@ impl Pattern {
     }
 
     /// The pieces near a box in (u, v); false if they are too many.
-    pub(super) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
+    pub(crate) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
         let curves = self.curves();
         if self.grid.raster.count_touched(low, high) > MOST_CELLS {
             return false;

@@ -7,7 +7,7 @@ pub(crate) const MOST_CORNERS: usize = 16;
 
 /// The thinnest footprint, mm. A nanometre is far below what a cross-section means, and keeps a point
 /// footprint a polygon like all others.
-const THINNEST_MM: f64 = 1e-6;
+pub(crate) const THINNEST_MM: f64 = 1e-6;
 
 /// A convex polygon, counter-clockwise, relative to the footprint's centre.
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +62,9 @@ impl Region {
     /// The corners in pairs, once around.
     pub(crate) fn edges(&self) -> impl Iterator<Item = (DVec2, DVec2)> {
         let corners = self.corners();
-        (0..corners.len()).map(|i| (corners[i], corners[(i + 1) % corners.len()]))
+        let mut last = corners.last().copied().unwrap_or_default();
+        let edge = move |corner: &DVec2| (core::mem::replace(&mut last, *corner), *corner);
+        corners.iter().map(edge)
     }
 
     /// Its lowest and highest coordinates.
@@ -90,31 +92,31 @@ impl Region {
 
     /// Keeps the part where (p - origin) · direction >= 0 (Sutherland and Hodgman 1974); false if that is empty.
     pub(crate) fn clip(&mut self, origin: DVec2, direction: DVec2) -> bool {
-        let mut sides = [0.0; MOST_CORNERS];
+        let side = |corner: DVec2| (corner - origin).dot(direction);
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-        for (side, corner) in sides.iter_mut().zip(self.corners()) {
-            *side = (*corner - origin).dot(direction);
+        for side in self.corners().iter().map(|corner| side(*corner)) {
             // Written so that each is one instruction: this is the most frequent call while shading.
-            least = if *side < least { *side } else { least };
-            most = if *side > most { *side } else { most };
+            least = if side < least { side } else { least };
+            most = if side > most { side } else { most };
         }
         if least >= 0.0 && most.is_finite() {
             return true;
         }
-        if most <= 0.0 || !most.is_finite() {
-            self.count = 0;
-            return false;
-        }
         let (whole, count) = (self.corners, self.count);
         self.count = 0;
-        for i in 0..count {
-            let next = if i + 1 == count { 0 } else { i + 1 };
-            if sides[i] >= 0.0 {
-                self.push(whole[i]);
+        if most <= 0.0 || !most.is_finite() {
+            return false;
+        }
+        let mut last = (whole[count - 1], side(whole[count - 1]));
+        for &corner in &whole[..count] {
+            let next = (corner, side(corner));
+            if (last.1 >= 0.0) != (next.1 >= 0.0) {
+                self.push(last.0.lerp(next.0, last.1 / (last.1 - next.1)));
             }
-            if (sides[i] >= 0.0) != (sides[next] >= 0.0) {
-                self.push(whole[i].lerp(whole[next], sides[i] / (sides[i] - sides[next])));
+            if next.1 >= 0.0 {
+                self.push(next.0);
             }
+            last = next;
         }
         self.count >= 3 && self.area() > 0.0
     }
@@ -125,13 +127,16 @@ impl Region {
         part.clip(origin, direction).then_some(part)
     }
 
-    /// The part inside all of these lines, each a point and an inward direction.
+    /// Keeps the part inside all of these lines, each a point and an inward direction; false if that is empty.
+    pub(crate) fn keep(&mut self, lines: &[[DVec2; 2]]) -> bool {
+        let mut lines = lines.iter();
+        lines.all(|&[origin, inward]| self.clip(origin, inward))
+    }
+
+    /// The part that [`Self::keep`] keeps, or nothing if that is empty.
     pub(crate) fn within(&self, lines: &[[DVec2; 2]]) -> Option<Self> {
         let mut part = *self;
-        let all = lines
-            .iter()
-            .all(|&[origin, inward]| part.clip(origin, inward));
-        all.then_some(part)
+        part.keep(lines).then_some(part)
     }
 
     /// The part of a segment that lies inside, as shares of it (Cyrus and Beck 1978).

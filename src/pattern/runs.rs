@@ -79,21 +79,19 @@ impl Pattern {
             let Some(part) = walk.part(number as usize) else {
                 continue;
             };
-            let longer = pending.as_ref().and_then(|run| walk.joined(run, &part));
-            pending = match longer {
-                Some(run) => Some(run),
-                None => {
-                    pending.iter().for_each(|run| walk.emit(run));
+            match &mut pending {
+                Some(run) if walk.joins(run, &part) => run.last = Last::of(&part),
+                _ => {
+                    pending.take().iter().for_each(|run| walk.emit(run));
                     // After what was scratched before this one.
                     walk.emit_cap(&part, End::Start);
                     if walk.is_one_run(&part) {
-                        Some(Run::of(&part))
+                        pending = Some(Run::of(&part));
                     } else {
                         walk.divide(&part, MOST_HALVINGS);
-                        None
                     }
                 }
-            };
+            }
             walk.emit_cap(&part, End::Stop);
         }
         pending.iter().for_each(|run| walk.emit(run));
@@ -120,14 +118,24 @@ struct Part<'p> {
 /// Neighbouring parts that run nearly straight: one frame, one cross-section.
 struct Run<'p> {
     first: Part<'p>,
-    last: Part<'p>,
+    last: Last,
+}
+
+/// What matters of a run's last part.
+struct Last {
+    number: usize,
+    /// Where it ends, and across what it is parted from the next.
+    end: DVec2,
+    parting: DVec2,
+    /// Share of the path's arc length there.
+    at: f64,
 }
 
 impl<'p> Run<'p> {
     fn of(part: &Part<'p>) -> Self {
         Self {
             first: *part,
-            last: *part,
+            last: Last::of(part),
         }
     }
 
@@ -137,6 +145,17 @@ impl<'p> Run<'p> {
         let chord = d - a;
         let strays = |p: DVec2| (p - a).perp_dot(chord).abs() > 1e-9 * chord.length_squared();
         self.first.number == self.last.number && !strays(b) && !strays(c)
+    }
+}
+
+impl Last {
+    fn of(part: &Part<'_>) -> Self {
+        Self {
+            number: part.number,
+            end: part.control[3],
+            parting: part.parting[1],
+            at: part.at[1],
+        }
     }
 }
 
@@ -245,21 +264,17 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
         small.sqrt().clamp(1.0, MOST_SLACK)
     }
 
-    /// The run with a piece more, if it goes on nearly straight.
-    fn joined(&self, run: &Run<'p>, part: &Part<'p>) -> Option<Run<'p>> {
+    /// Whether a piece more goes on nearly straight where a run ends.
+    fn joins(&self, run: &Run<'p>, part: &Part<'p>) -> bool {
         let (first, last) = (&run.first, &run.last);
-        let joins = part.number == last.number + 1
+        part.number == last.number + 1
             && part.scratch == first.scratch
             && self.curves.pieces[part.number].is_joined()
             && self.is_one_run(part)
             && self.is_straight(first.chord(), part.chord())
             && self.is_straight(first.parting[0], part.parting[1])
             && (part.course.is_even([first.at[0], part.at[1]])
-                || part.change(first.at[0]) <= MOST_CHANGE);
-        joins.then_some(Run {
-            first: *first,
-            last: *part,
-        })
+                || part.change(first.at[0]) <= MOST_CHANGE)
     }
 
     /// Halves a part until its parts are runs; those out of reach are left out.
@@ -292,26 +307,20 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
     }
 
     fn emit(&mut self, run: &Run<'p>) {
-        if let Some(hit) = self.hit(run) {
-            (self.visit)(&hit);
-        }
-    }
-
-    fn hit(&self, run: &Run<'p>) -> Option<Hit<'p>> {
         let Run { first, last } = run;
         let parting = [
             [first.control[0], first.parting[0]],
-            [last.control[3], last.parting[1]],
+            [last.end, last.parting],
         ];
         let [[start, forwards], [end, onwards]] = parting;
-        let region = self
-            .reach
-            .footprint
-            .within(&[[start, forwards], [end, -onwards]])?;
+        let mut region = *self.reach.footprint;
+        if !region.keep(&[[start, forwards], [end, -onwards]]) {
+            return;
+        }
         let near = self.nearest_on(run, region.centroid());
         let course = &first.course;
         let profile = first.track.profile(course.value(near.at));
-        let is_even = course.is_even([first.at[0], last.at[1]]);
+        let is_even = course.is_even([first.at[0], last.at]);
         let (near, profile) = if is_even && run.is_straight() {
             (near, profile)
         } else {
@@ -330,11 +339,11 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
             origin,
             travel,
             parting,
-            cover: None,
+            cover: Some(region),
             visible: self.pattern.visible_share(first.number),
         };
-        hit.cover = region.within(&hit.sides(hit.ends_mm));
-        Some(hit)
+        hit.cut_cover();
+        (self.visit)(&hit);
     }
 
     /// The place in the middle of what a region holds of a run, and the mean cross-section there. How much of the
@@ -352,7 +361,7 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
             true => profile.half_width_mm(),
             false => first
                 .half_width_mm(first.at[0])
-                .max(last.half_width_mm(last.at[1])),
+                .max(first.half_width_mm(last.at)),
         };
         for _ in 0..MOST_LOOKS {
             let stretch;
@@ -390,14 +399,11 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
         let Near {
             at, origin, travel, ..
         } = near;
-        let per_mm = (last.at[1] - first.at[0]) / (last.control[3] - first.control[0]).length();
+        let per_mm = (last.at - first.at[0]) / (last.end - first.control[0]).length();
         let corners = covered.corners().iter();
         let reaches = corners.map(|corner| at + (*corner - origin).dot(travel) * per_mm);
         let stretch = reaches.fold([at; 2], |[from, to], reach| {
-            [
-                from.min(reach.max(first.at[0])),
-                to.max(reach.min(last.at[1])),
-            ]
+            [from.min(reach.max(first.at[0])), to.max(reach.min(last.at))]
         });
         (near, stretch)
     }
@@ -438,10 +444,10 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
                 origin,
                 travel: axis.perp(),
                 parting,
-                cover: None,
+                cover: Some(region),
                 visible,
             };
-            hit.cover = region.within(&hit.sides(hit.ends_mm));
+            hit.cut_cover();
             (self.visit)(&hit);
         }
     }

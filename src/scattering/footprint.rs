@@ -90,30 +90,41 @@ impl Densities {
         across: DVec2,
         pixel_area: f64,
     ) -> Option<()> {
-        let place = |p: DVec2| (p - origin).dot(across);
-        let height = |p: DVec2| p.perp_dot(across);
-        let mut borders = [0.0; MOST_CORNERS];
+        // Corners by place across and height along, which turns a counter-clockwise polygon clockwise.
         let count = region.corners().len();
-        for (border, &corner) in borders.iter_mut().zip(region.corners()) {
-            *border = place(corner);
+        let mut corners = [DVec2::ZERO; MOST_CORNERS];
+        let mut leftmost = 0;
+        for (i, corner) in region.corners().iter().enumerate() {
+            corners[i] = DVec2::new((*corner - origin).dot(across), corner.perp_dot(across));
+            leftmost = if corners[i].x < corners[leftmost].x {
+                i
+            } else {
+                leftmost
+            };
         }
-        borders[..count].sort_unstable_by(f64::total_cmp);
-        for pair in borders[..count].windows(2).filter(|pair| pair[1] > pair[0]) {
-            let (from, to) = (pair[0], pair[1]);
-            // The chord of a convex polygon across one piece: between its two edges that span the piece.
-            let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-            for (a, b) in region.edges() {
-                let (xa, xb) = (place(a), place(b));
-                if xa.min(xb) <= from && xa.max(xb) >= to {
-                    let at = |x: f64| height(a) + (height(b) - height(a)) * ((x - xa) / (xb - xa));
-                    for (i, y) in [at(from), at(to)].into_iter().enumerate() {
-                        low[i] = low[i].min(y);
-                        high[i] = high[i].max(y);
-                    }
-                }
+        // From there to the right along the upper and the lower side at once, from corner to corner.
+        let (mut upper, mut lower) = (leftmost, leftmost);
+        let (mut from, mut chord) = (corners[leftmost].x, 0.0);
+        for _ in 1..count {
+            let next_upper = if upper + 1 == count { 0 } else { upper + 1 };
+            let next_lower = if lower == 0 { count - 1 } else { lower - 1 };
+            let [above, below] = [corners[next_upper], corners[next_lower]];
+            let upper_first = above.x <= below.x;
+            let to = if upper_first { above.x } else { below.x };
+            let there = match upper_first {
+                true => above.y - height_at([corners[lower], below], to),
+                false => height_at([corners[upper], above], to) - below.y,
+            };
+            if to > from {
+                let densities = [chord, there].map(|chord: f64| chord.max(0.0) / pixel_area);
+                self.push(from, to, densities)?;
+                from = to;
             }
-            let densities = [0, 1].map(|i| (high[i] - low[i]).max(0.0) / pixel_area);
-            self.push(from, to, densities)?;
+            chord = there;
+            (upper, lower) = match upper_first {
+                true => (next_upper, lower),
+                false => (upper, next_lower),
+            };
         }
         Some(())
     }
@@ -232,6 +243,17 @@ impl Piece {
         let to_the_end = last.if_above(to, inside, all);
         from.if_above(first, inside, to_the_end)
     }
+}
+
+/// The height of an edge at a place; where it stands upright, of its first end.
+fn height_at([from, to]: [DVec2; 2], place: f64) -> f64 {
+    let run = to.x - from.x;
+    let share = if run > 0.0 {
+        (place - from.x) / run
+    } else {
+        0.0
+    };
+    from.y + (to.y - from.y) * share
 }
 
 #[cfg(test)]

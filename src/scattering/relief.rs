@@ -7,7 +7,7 @@ use super::visit::first_of;
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
 use crate::lanes::{Lanes, Number, in_lanes};
-use crate::pattern::Pattern;
+use crate::pattern::{Hit, Layered, MOST_VERTICES, Pattern};
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
 use glam::{Vec2, Vec3};
@@ -110,36 +110,58 @@ impl Zones {
         u8::try_from(number).unwrap_or(0)
     }
 
-    /// Where a cross-section of so many vertices may go, if there are free slots.
-    pub(crate) fn free(&self, vertices: usize) -> Option<u32> {
-        (self.used as usize + vertices <= MOST_SLOTS).then_some(self.used)
+    /// Whether so many vertices more find a place.
+    pub(crate) fn has_room(&self, vertices: usize) -> bool {
+        self.used as usize + vertices <= MOST_SLOTS
     }
 
-    /// Prepares a cross-section for a view, in the slots from `first` on; `finish` gives the number of each
-    /// facet's finish. Nothing is kept if none of it lies in the pixel.
+    /// Puts a run's cross-section into the free slots, its facets with the finishes of these numbers, by layer; how many
+    /// vertices it has.
+    pub(crate) fn place(&mut self, hit: &Hit<'_>, numbers: &[u8]) -> usize {
+        let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
+        let vertices = hit.profile.vertex_count;
+        let (xs, zs) = (&mut xs[..vertices], &mut zs[..vertices]);
+        hit.profile.sample(xs, zs);
+        let free = self.used as usize..MOST_SLOTS;
+        let slots = Layered {
+            x: &mut self.x[free.clone()],
+            z: &mut self.z[free.clone()],
+            layer: &mut self.finish[free.clone()],
+        };
+        let layers = hit.track.layers.iter();
+        let count = slots.cut(xs, zs, layers.map(|layer| layer.bottom_mm));
+        for finish in &mut self.finish[free][..count] {
+            *finish = numbers[*finish as usize];
+        }
+        count
+    }
+
+    /// The same with a cross-section of its own.
+    pub(crate) fn place_points(&mut self, points: &[[f32; 2]], number: u8) -> usize {
+        for (slot, &[x, z]) in (self.used as usize..).zip(points) {
+            (self.x[slot], self.z[slot], self.finish[slot]) = (x, z, number);
+        }
+        points.len()
+    }
+
+    /// Prepares the cross-section of so many vertices that was placed last for a view. It is kept if any of it lies in
+    /// the pixel.
     pub(crate) fn prepare(
         &mut self,
-        first_slot: u32,
-        (xs, zs): (&[f32], &[f32]),
-        finish: impl Iterator<Item = u8>,
+        vertices: usize,
         across: Vec2,
         weight: Weight,
         view: Vec3,
     ) -> Option<Relief> {
-        let vertices = xs.len();
-        let first = first_slot as usize;
+        let first = self.used as usize;
         let slots = first..first + vertices;
-        self.x[slots.clone()].copy_from_slice(xs);
-        self.z[slots.clone()].copy_from_slice(zs);
-        for (own, number) in self.finish[slots.clone()].iter_mut().zip(finish) {
-            *own = number;
-        }
         let v = Across {
             x: view.truncate().dot(across),
             z: view.z,
         };
         let mut parts = Parts::new();
         let horizon = in_lanes!(lanes => parts.sweep(lanes, &self.x[first..], &self.z[first..], vertices - 1, v));
+        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
         let ends = [xs[0], xs[vertices - 1]];
         let seen_flat = v.flat_ends(horizon, ends);
         // A shadow may fall into the pixel from a scratch beside it.
@@ -150,7 +172,7 @@ impl Zones {
         }
         let mut relief = Relief {
             across,
-            first: first_slot,
+            first: self.used,
             vertices: u32::try_from(vertices).unwrap_or(0),
             gain: 1.0,
             shown: 0.0,
@@ -158,7 +180,7 @@ impl Zones {
             weight,
         };
         in_lanes!(lanes => self.weigh(lanes, &mut relief, &parts, v));
-        self.used = self.used.max(first_slot + relief.vertices);
+        self.used += relief.vertices;
         Some(relief)
     }
 
@@ -335,7 +357,10 @@ impl Zones {
         if points.is_empty() {
             return None;
         }
-        let first = self.free(points.len())?;
+        let first = self.used;
+        if !self.has_room(points.len()) {
+            return None;
+        }
         for (slot, point) in (first as usize..).zip(points) {
             let finish = pattern
                 .hosts

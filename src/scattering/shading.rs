@@ -6,15 +6,14 @@ use crate::brdf::{Brdf, Finish};
 use crate::error::{Error, Result, all_finite, in_range};
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
-    Candidates, Crowd, Frame, Hit, Layered, MOST_VERTICES, Metric, Pattern, Reach, Region,
-    SurfacePoint, cut, uncut_share,
+    Candidates, Crowd, Frame, Hit, Metric, Pattern, Reach, Region, SurfacePoint, cut, uncut_share,
 };
 use crate::single;
 use arrayvec::ArrayVec;
 use glam::{DVec2, Vec2, Vec3};
 
 /// The shift of relief against the plane at a grazing view is followed to this many times its height.
-const LONGEST_PARALLAX: f64 = 20.0;
+const LONGEST_PARALLAX: f32 = 20.0;
 
 /// Parts that crossings may cut a run's share of the pixel into.
 const MOST_PARTS: usize = 8;
@@ -97,19 +96,24 @@ impl Shading {
     /// a footprint of no usable size (0, infinite, NaN) is a point. Allocates nothing.
     pub fn shade(&mut self, pattern: &Pattern, point: &SurfacePoint, view: [f32; 3]) -> Result<()> {
         self.begin(pattern.hosts.found(&pattern.surface), view)?;
+        let (scale, reach_mm) = (pattern.mm_per_scene_unit, self.reach_mm(pattern));
+        let mut candidates = Candidates::new();
+        let glance = point.box_at_a_glance(scale, reach_mm);
+        let found = glance.map(|[low, high]| pattern.pieces_near(low, high, &mut candidates));
+        if found == Some(true) && candidates.is_empty() {
+            return Ok(());
+        }
         let frame = Frame::at(point)?;
-        let scale = pattern.mm_per_scene_unit;
         let metric = Metric::at(point, &frame, scale)?;
         let (region, footprint) = metric.region(&point.footprint, scale);
         if self.view.z >= LEAST_COS {
-            self.fill(
-                pattern,
-                &Reach {
-                    metric: &metric,
-                    footprint: &region,
-                    reach_mm: self.reach_mm(pattern),
-                },
-            );
+            let reach = Reach {
+                metric: &metric,
+                footprint: &region,
+                reach_mm,
+            };
+            let complete = found.unwrap_or_else(|| pattern.candidates(&reach, &mut candidates));
+            self.fill(pattern, &reach, complete.then_some(&candidates));
         }
         footprint
     }
@@ -147,17 +151,10 @@ impl Shading {
                 densities.add_regions(&[region], center_line, DVec2::X, region.area())
             }
         };
-        let (mut xs, mut zs) = ([0.0; MOST_POINTS], [0.0; MOST_POINTS]);
-        for ((x, z), vertex) in xs.iter_mut().zip(&mut zs).zip(vertices) {
-            [*x, *z] = *vertex;
-        }
         if let Some(weight) = weight.filter(|_| self.view.z >= LEAST_COS) {
-            let points = (&xs[..vertices.len()], &zs[..vertices.len()]);
             let number = self.zones.finish(&finish);
-            let numbers = core::iter::repeat(number);
-            let prepared = self
-                .zones
-                .prepare(0, points, numbers, Vec2::X, weight, self.view);
+            let vertices = self.zones.place_points(vertices, number);
+            let prepared = self.zones.prepare(vertices, Vec2::X, weight, self.view);
             if let Some(relief) = prepared {
                 self.reliefs[0] = relief;
                 self.relief_count = 1;
@@ -204,23 +201,18 @@ impl Shading {
         self.zones.clear();
     }
 
-    /// Adds all that the footprint holds.
-    fn fill(&mut self, pattern: &Pattern, reach: &Reach<'_>) {
-        let mut candidates = Candidates::new();
-        let complete = pattern.candidates(reach, &mut candidates);
-        if complete && candidates.is_empty() {
-            return;
-        }
-        let few = candidates.len() <= FEW_HITS;
-        let mut all =
-            complete && few && self.add_each::<FEW_HITS>(pattern, &candidates, reach, FEW_HITS);
-        if complete && !all {
+    /// Adds all that the footprint holds; of too many to be looked at one by one there are no candidates.
+    fn fill(&mut self, pattern: &Pattern, reach: &Reach<'_>, candidates: Option<&Candidates>) {
+        let added = candidates.is_some_and(|candidates| {
+            let few = candidates.len() <= FEW_HITS;
+            few && self.add_each::<FEW_HITS>(pattern, candidates, reach, FEW_HITS) || {
+                self.clear();
+                self.add_each::<MOST_HITS>(pattern, candidates, reach, MOST_HITS / 4)
+            }
+        });
+        if !added {
             self.clear();
-            all = self.add_each::<MOST_HITS>(pattern, &candidates, reach, MOST_HITS / 4);
-        }
-        if !all {
-            self.clear();
-            let crowd = pattern.crowd(reach, complete.then_some(&candidates));
+            let crowd = pattern.crowd(reach, candidates);
             self.add_crowd(pattern, &crowd, reach);
             self.scratch_count = crowd.count;
         }
@@ -229,12 +221,11 @@ impl Shading {
 
     /// How far from the footprint a scratch can matter: by its width, by parallax, by its shadow.
     fn reach_mm(&self, pattern: &Pattern) -> f64 {
-        let view = self.view.as_dvec3();
-        let parallax = (view.truncate().length() / view.z).min(LONGEST_PARALLAX);
+        let parallax = (self.view.truncate().length() / self.view.z).min(LONGEST_PARALLAX);
         let extent = pattern.extent;
-        f64::from(extent.half_width_mm)
-            + f64::from(extent.rise_mm) * f64::from(LONGEST_SHADOW)
-            + f64::from(extent.height_mm) * parallax
+        let reach =
+            extent.half_width_mm + extent.rise_mm * LONGEST_SHADOW + extent.height_mm * parallax;
+        f64::from(reach)
     }
 
     /// Adds each run by itself, less what later ones cut away; the smallest ones as a crowd where there is no room.
@@ -268,7 +259,7 @@ impl Shading {
         let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
         runs.extend(
             hits.iter()
-                .map(|hit| hit.cover.map_or(0.0, |cover| cover.area()))
+                .map(|hit| hit.cover.as_ref().map_or(0.0, Region::area))
                 .enumerate(),
         );
         runs.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -311,21 +302,13 @@ impl Shading {
     ) -> Option<()> {
         let pixel_area = footprint.area();
         let hit = &hits[i];
-        if self.relief_count as usize == MOST_RELIEFS {
+        if self.relief_count as usize == MOST_RELIEFS || !self.zones.has_room(hit.most_vertices()) {
             return None;
         }
         let across = hit.across();
-        let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
-        let vertices = hit.profile.vertex_count;
-        let (xs, zs) = (&mut xs[..vertices], &mut zs[..vertices]);
-        hit.profile.sample(xs, zs);
-        let layers = hit.track.layers.iter();
-        let layered = Layered::cut(xs, zs, layers.map(|layer| layer.bottom_mm));
-        let (xs, zs, layer) = layered.parts();
-        let first = self.zones.free(xs.len())?;
         let mut left: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
-        left.push(hit.beside(footprint)?);
-        if !cut(hits, i, &mut left, pixel_area) {
+        left.push(*footprint);
+        if !left[0].keep(&hit.parting_lines()) || !cut(hits, i, &mut left, pixel_area) {
             return None;
         }
         let densities = &mut self.zones.densities;
@@ -334,11 +317,10 @@ impl Shading {
         for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
             *number = self.zones.finish(&pattern.hosts.found(&finish));
         }
-        let number = layer.iter().map(|&layer| numbers[layer as usize]);
-        let (points, across, view) = ((xs, zs), across.as_vec2(), self.view);
+        let vertices = self.zones.place(hit, &numbers);
         let prepared = self
             .zones
-            .prepare(first, points, number, across, weight, view);
+            .prepare(vertices, across.as_vec2(), weight, self.view);
         if let Some(mut relief) = prepared {
             relief.gain = gain;
             self.reliefs[self.relief_count as usize] = relief;
