@@ -2268,7 +2268,8 @@ enum StriaeStatus striae_pattern_query(const struct StriaePattern *pattern,
  * locks or blocks; any number of threads at once, each with a shading of its own.
  *
  * With all bounces striae_sample() walks through the cross-section, without bias, and striae_eval() adds what zones reflect to
- * one another as if they scattered it evenly: exact for Lambertian zones, about for glossy ones. The density stays that of
+ * one another: by its direction the first time (lobes of less than alpha 0.06 as if they were so wide), as if scattered
+ * evenly from then on. Exact for Lambertian zones; with metals the pixel is off by less than 1 %. The density stays that of
  * one bounce, which is all that multiple importance sampling needs. To evaluate then takes many times as long, to sample
  * hardly longer.
  *

@@ -5,7 +5,7 @@ mod support;
 
 use rand::Rng;
 use rand::rngs::StdRng;
-use striae::brdf::{Brdf, Fresnel};
+use striae::brdf::{Brdf, Facet, Fresnel, Metal};
 use striae::formation::{CrossSection, Material, Orientation, Process, Tool};
 use striae::scattering::{Bounces, CrossFootprint, Output, Shading};
 use support::{direction, lambert, random, single};
@@ -63,19 +63,22 @@ fn shaded(
     shading
 }
 
-/// A cross-section between wide flats, Lambertian all over.
+/// A cross-section between wide flats, of one base BRDF all over.
 struct Scene {
     points: Vec<[f64; 2]>,
+    facets: Vec<Facet>,
 }
 
 impl Scene {
-    fn new(points: &[[f32; 2]]) -> Self {
+    fn new(points: &[[f32; 2]], brdf: &Brdf) -> Self {
         let wide = 1e3 * f64::from(width(points));
         let own = points.iter().map(|p| p.map(f64::from));
         let ends = |x: f64| std::iter::once([x, 0.0]);
-        Self {
-            points: ends(-wide).chain(own).chain(ends(wide)).collect(),
-        }
+        let points: Vec<_> = ends(-wide).chain(own).chain(ends(wide)).collect();
+        let tilt = |pair: &[[f64; 2]]| (pair[0][1] - pair[1][1]).atan2(pair[1][0] - pair[0][0]);
+        let facet = |pair: &[[f64; 2]]| Facet::new(*brdf, tilt(pair).to_degrees()).unwrap();
+        let facets = points.windows(2).map(facet).collect();
+        Self { points, facets }
     }
 
     /// The first facet that a ray meets, and where; the ray starts on facet `from`, or nowhere.
@@ -97,12 +100,6 @@ impl Scene {
         nearest.map(|(t, k)| (k, [x + t * d[0], z + t * d[2]]))
     }
 
-    fn normal(&self, k: usize) -> [f64; 3] {
-        let ([ax, az], [bx, bz]) = (self.points[k], self.points[k + 1]);
-        let length = (bx - ax).hypot(bz - az);
-        [(az - bz) / length, 0.0, (bx - ax) / length]
-    }
-
     /// Radiance after one bounce, and after all of them, per unit of irradiance on the flat times its cosine.
     fn traced(
         &self,
@@ -119,44 +116,27 @@ impl Scene {
             let Some((mut k, mut at)) = self.met(above, view.map(|c| -c), None) else {
                 continue;
             };
-            let mut weight = 1.0;
+            let (mut weight, mut view) = (1.0, view.map(single));
             for bounce in 0..40 {
-                let normal = self.normal(k);
-                let cos = dot(normal, light);
-                if cos > 0.0 && self.met(at, light, Some(k)).is_none() {
-                    let direct = weight * ALBEDO / std::f64::consts::PI * cos;
+                let facet = &self.facets[k];
+                if self.met(at, light, Some(k)).is_none() {
+                    let direct = weight * f64::from(facet.eval(view, light.map(single))[0]);
                     sums[0] += if bounce == 0 { direct } else { 0.0 };
                     sums[1] += direct;
                 }
-                weight *= ALBEDO;
-                let next = scattered(normal, random);
-                let Some(met) = self.met(at, next, Some(k)) else {
+                let Some(next) = facet.sample([random.random(), random.random()], view) else {
                     break;
                 };
+                weight *= f64::from(facet.eval(view, next)[0] / facet.pdf(view, next));
+                let Some(met) = self.met(at, next.map(f64::from), Some(k)) else {
+                    break;
+                };
+                view = next.map(|c| -c);
                 (k, at) = met;
             }
         }
         sums.map(|sum| sum / f64::from(PATHS))
     }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// A direction about a normal (x, 0, z), by the cosine.
-fn scattered(normal: [f64; 3], random: &mut StdRng) -> [f64; 3] {
-    let (u, angle) = (
-        random.random::<f64>(),
-        random.random_range(0.0..std::f64::consts::TAU),
-    );
-    let (radius, up) = (u.sqrt(), (1.0 - u).sqrt());
-    let (across, along) = (radius * angle.cos(), radius * angle.sin());
-    [
-        across * normal[2] + up * normal[0],
-        along,
-        up * normal[2] - across * normal[0],
-    ]
 }
 
 /// The three grooves of a Rockwell tip: untilted 2 kgf on 300 HV, 20 degrees to the side 4 kgf on 100 HV, 10 degrees
@@ -186,7 +166,7 @@ fn agrees_with_a_path_tracer() {
     for (name, points) in grooves() {
         let width = width(&points);
         let window = [points[0][0] - width, points[points.len() - 1][0] + width].map(f64::from);
-        let scene = Scene::new(&points);
+        let scene = Scene::new(&points, &brdf);
         for (view, light) in pairs() {
             let truth = scene.traced(
                 window,
@@ -217,6 +197,55 @@ fn agrees_with_a_path_tracer() {
                 (more - 1.0).abs() < 0.2,
                 "{name}: further bounces count {more} times too much"
             );
+        }
+    }
+}
+
+/// The same of metals, rough to smooth, which pass light on by its direction; also under grazing light.
+#[test]
+fn gloss_agrees_with_a_path_tracer() {
+    let mut random = random(7);
+    let (eta, k) = Metal::Steel.eta_k();
+    let metal = |alpha| Brdf::Ggx {
+        alpha,
+        fresnel: Fresnel::Conductor { eta, k },
+    };
+    let brdfs = [
+        ("rough metal", metal(0.4)),
+        ("satin metal", metal(0.15)),
+        ("smooth metal", metal(0.05)),
+    ];
+    let pairs = pairs().into_iter().chain([
+        (direction(35.0, 30.0), direction(75.0, 180.0)),
+        (direction(10.0, 90.0), direction(70.0, 0.0)),
+    ]);
+    for (view, light) in pairs {
+        for (name, points) in grooves() {
+            let width = width(&points);
+            let window = [points[0][0] - width, points[points.len() - 1][0] + width].map(f64::from);
+            for (finish, brdf) in brdfs {
+                let scene = Scene::new(&points, &brdf);
+                let truth = scene.traced(
+                    window,
+                    view.map(f64::from),
+                    light.map(f64::from),
+                    &mut random,
+                );
+                let ours = [Bounces::One, Bounces::All].map(|bounces| {
+                    let pixel = CrossFootprint::Whole { margin_mm: width };
+                    let shading = shaded(&points, &brdf, pixel, view, bounces);
+                    f64::from(shading.eval(light, Output::BrdfCos)[0])
+                });
+                println!(
+                    "{name}, {finish}: {:+.2} % traced, {:+.2} % evaluated; off by {:.1e} and {:.1e}",
+                    100.0 * (truth[1] / truth[0] - 1.0),
+                    100.0 * (ours[1] / ours[0] - 1.0),
+                    ours[0] / truth[0] - 1.0,
+                    ours[1] / truth[1] - 1.0
+                );
+                let off = (ours[1] / truth[1] - 1.0).abs();
+                assert!(off < 0.01, "{name}, {finish}: {ours:?} against {truth:?}");
+            }
         }
     }
 }

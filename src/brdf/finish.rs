@@ -122,6 +122,45 @@ impl Finish {
         }
     }
 
+    /// The same finish with a lobe that is at least so wide.
+    pub(crate) fn no_sharper_than(self, alpha: f32) -> Self {
+        match self.lobe {
+            PHONG if self.alpha < alpha => {
+                let exponent = phong::exponent(alpha);
+                let scale = phong::scale(exponent) / phong::scale(self.second);
+                Self {
+                    alpha,
+                    second: exponent,
+                    rgb: self.rgb.map(|channel| channel * scale),
+                    ..self
+                }
+            }
+            GGX | ANISOTROPIC_GGX | BECKMANN => Self {
+                alpha: self.alpha.max(alpha),
+                second: self.second.max(alpha),
+                ..self
+            },
+            _ => self,
+        }
+    }
+
+    /// The same finish; in the place of a host's own, which takes long to be asked, what reflects as much and spreads it as
+    /// far: Lambert's or GGX.
+    pub(crate) fn without_host(self, albedo: Vec3) -> Self {
+        match self.lobe {
+            HOSTED_DIFFUSE => Self::new(&Brdf::Lambert {
+                albedo: albedo.to_array(),
+            }),
+            HOSTED_GLOSSY => Self {
+                lobe: ANISOTROPIC_GGX,
+                colour: PLAIN,
+                rgb: albedo.to_array(),
+                ..self
+            },
+            _ => self,
+        }
+    }
+
     /// Which of the host's own base BRDFs it is.
     pub(crate) fn hosted(&self) -> Option<u32> {
         matches!(self.lobe, HOSTED_DIFFUSE | HOSTED_GLOSSY).then_some(self.colour)

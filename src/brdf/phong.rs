@@ -17,6 +17,11 @@ pub(super) fn alpha(exponent: f32) -> f32 {
     1.0 / (2.0 * exponent + 1.0).sqrt()
 }
 
+/// The other way round.
+pub(super) fn exponent(alpha: f32) -> f32 {
+    0.5 * (1.0 / (alpha * alpha) - 1.0)
+}
+
 /// The cosine between mirrored view and light to the power of `exponent`.
 #[inline(always)]
 fn power<F: Number>(exponent: f32, pair: &Local<F>) -> F {

@@ -2,7 +2,8 @@
 //!
 //! The geometry is constant along the scratch, so how much of one facet's light reaches another follows from
 //! lengths of strings pulled tight between their ends, over whatever stands in between (Hottel and Sarofim 1967,
-//! "Radiative transfer"). Exact where zones are Lambertian; glossy ones count with all that they reflect.
+//! "Radiative transfer"). Exact where zones are Lambertian; glossy ones count with all that they reflect, but for the
+//! light's first way from one to another (`gloss.rs`).
 
 use glam::{DVec2, Vec3};
 
@@ -13,38 +14,54 @@ const FLAT_HEIGHTS: [f64; 4] = [1.0, 3.0, 8.0, 20.0];
 /// Flat facets on each side.
 pub(crate) const FLATS: usize = FLAT_HEIGHTS.len();
 
-/// Vertices of a cross-section, with the flat surface on both sides.
-const MOST_CORNERS: usize = 100 + 2 * FLATS;
+/// Corners of most cross-sections, and of all (100 vertices), with the flat surface on both sides.
+pub(crate) const FEW_CORNERS: usize = 32;
+pub(crate) const MOST_CORNERS: usize = 100 + 2 * FLATS;
 
 /// Rounds of exchange, and the change that is too little for another one.
 const MOST_ROUNDS: u32 = 64;
 const SETTLED: f32 = 1e-5;
 
 /// The facets of a cross-section, between the flat surface on its left and that on its right.
-#[derive(Clone, Debug)]
-pub(crate) struct Exchange {
-    corners: [DVec2; MOST_CORNERS],
-    facets: usize,
+#[derive(Debug)]
+pub(crate) struct Exchange<const CORNERS: usize> {
+    corners: [DVec2; CORNERS],
+    pub facets: usize,
     /// Of each facet and each later one: the share of one's light that gets to the other, times the one's width.
-    shares: [[f32; MOST_CORNERS]; MOST_CORNERS],
+    shares: [[f32; CORNERS]; CORNERS],
 }
 
-impl Exchange {
-    pub(crate) const MOST_FACETS: usize = MOST_CORNERS - 1;
-
+impl<const CORNERS: usize> Exchange<CORNERS> {
     /// From where to where a facet reaches across.
     pub(crate) fn ends(&self, facet: usize) -> [f32; 2] {
         [facet, facet + 1].map(|corner| crate::single(self.corners[corner].x))
     }
 
-    /// Of a cross-section of 2 to 100 vertices.
+    /// Both ends of a facet.
+    pub(crate) fn corners(&self, facet: usize) -> [DVec2; 2] {
+        [self.corners[facet], self.corners[facet + 1]]
+    }
+
+    /// The share of what a facet sees that is another one.
+    pub(crate) fn share(&self, facet: usize, other: usize) -> f32 {
+        let [a, b] = self.corners(facet);
+        let width = crate::single(a.distance(b));
+        let share = self.shares[facet.min(other)][facet.max(other)];
+        if share > 0.0 && width > 0.0 {
+            share / width
+        } else {
+            0.0
+        }
+    }
+
+    /// Of a cross-section of no more vertices than there is room for beside the flat surface.
     #[expect(
         clippy::large_stack_arrays,
-        reason = "46 KB; nothing may allocate while shading"
+        reason = "46 KB at most; nothing may allocate while shading"
     )]
     pub(crate) fn new(xs: &[f32], zs: &[f32]) -> Self {
-        let mut corners = [DVec2::ZERO; MOST_CORNERS];
-        let vertices = xs.len().min(MOST_CORNERS - 2 * FLATS);
+        let mut corners = [DVec2::ZERO; CORNERS];
+        let vertices = xs.len().min(CORNERS - 2 * FLATS);
         let height = f64::from(zs.iter().fold(0.0_f32, |most, z| most.max(z.abs())));
         let inner = &mut corners[FLATS..FLATS + vertices];
         for (corner, (&x, &z)) in inner.iter_mut().zip(xs.iter().zip(zs)) {
@@ -59,7 +76,7 @@ impl Exchange {
         let mut exchange = Self {
             corners,
             facets: vertices + 2 * FLATS - 1,
-            shares: [[0.0; MOST_CORNERS]; MOST_CORNERS],
+            shares: [[0.0; CORNERS]; CORNERS],
         };
         exchange.pull_strings();
         exchange
@@ -80,9 +97,9 @@ impl Exchange {
     }
 
     /// Lengths of tight strings over the cross-section from one corner to each later one.
-    fn strings_from(&self, first: usize) -> [f64; MOST_CORNERS] {
-        let mut lengths = [0.0; MOST_CORNERS];
-        let mut touched = [first; MOST_CORNERS];
+    fn strings_from(&self, first: usize) -> [f64; CORNERS] {
+        let mut lengths = [0.0; CORNERS];
+        let mut touched = [first; CORNERS];
         let mut count = 1;
         for i in first + 1..=self.facets {
             let corner = self.corners[i];
@@ -111,9 +128,9 @@ impl Exchange {
         &self,
         light: impl Fn(usize) -> f32,
         albedo: impl Fn(usize) -> Vec3,
-    ) -> [Vec3; Self::MOST_FACETS] {
-        let mut indirect = [Vec3::ZERO; Self::MOST_FACETS];
-        let sent = |indirect: &[Vec3; Self::MOST_FACETS], j: usize| {
+    ) -> [Vec3; CORNERS] {
+        let mut indirect = [Vec3::ZERO; CORNERS];
+        let sent = |indirect: &[Vec3; CORNERS], j: usize| {
             albedo(j) * (Vec3::splat(light(j)) + indirect[j])
         };
         for _ in 0..MOST_ROUNDS {
@@ -146,7 +163,7 @@ mod tests {
     /// In a V of 90 degrees each wall gets 1 - sin 45° of the other's light, by the closed form.
     #[test]
     fn v_groove() {
-        let exchange = Exchange::new(&[-1.0, 0.0, 1.0], &[0.0, -1.0, 0.0]);
+        let exchange = Exchange::<FEW_CORNERS>::new(&[-1.0, 0.0, 1.0], &[0.0, -1.0, 0.0]);
         let wall = 2.0_f32.sqrt();
         let share = exchange.shares[FLATS][FLATS + 1] / wall;
         assert!((share - (1.0 - 0.5_f32.sqrt())).abs() < 1e-6, "{share}");
@@ -158,7 +175,8 @@ mod tests {
     /// A peak hides what is behind it: strings lie over it.
     #[test]
     fn peak_hides() {
-        let exchange = Exchange::new(&[-2.0, -1.0, 0.0, 1.0, 2.0], &[0.0, 1.0, 0.0, 1.0, 0.0]);
+        let exchange =
+            Exchange::<FEW_CORNERS>::new(&[-2.0, -1.0, 0.0, 1.0, 2.0], &[0.0, 1.0, 0.0, 1.0, 0.0]);
         let share = |i: usize, j: usize| exchange.shares[FLATS + i][FLATS + j];
         assert!(share(0, 1) < 1e-9, "two sides of a peak");
         assert!(share(0, 3) < 1e-9, "outer sides of two peaks");

@@ -9,6 +9,7 @@ mod eval;
 mod exchange;
 mod flocks;
 mod footprint;
+mod gloss;
 mod hosted;
 mod lights;
 mod look;

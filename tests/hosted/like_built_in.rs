@@ -11,6 +11,10 @@ use striae::scattering::{Bounces, Output, Sample, SeenZone, Shading};
 /// What single precision may differ by, relative to the larger of both.
 const ROUNDING: f32 = 2e-4;
 
+/// The same where light has gone from zone to zone: what a host's zones pass on has GGX's lobe, as here, but not the colour
+/// that a conductor takes on at grazing angles.
+const PASSED_ON: f32 = 5e-3;
+
 /// Points of the same patterns, with the library's base BRDFs and with the host's.
 fn prepared(random: &mut StdRng) -> Vec<[Shading; 2]> {
     let mut all = Vec::new();
@@ -30,14 +34,14 @@ fn prepared(random: &mut StdRng) -> Vec<[Shading; 2]> {
 
 #[track_caller]
 fn assert_near(ours: f32, theirs: f32, what: &str) {
-    let off = (ours - theirs).abs() / ours.abs().max(theirs.abs()).max(1e-4);
-    assert!(off < ROUNDING, "{what}: {ours} and {theirs}, off by {off}");
+    assert_all_near([ours], [theirs], ROUNDING, what);
 }
 
 #[track_caller]
-fn assert_all_near<const N: usize>(ours: [f32; N], theirs: [f32; N], what: &str) {
+fn assert_all_near<const N: usize>(ours: [f32; N], theirs: [f32; N], most: f32, what: &str) {
     for (ours, theirs) in ours.into_iter().zip(theirs) {
-        assert_near(ours, theirs, what);
+        let off = (ours - theirs).abs() / ours.abs().max(theirs.abs()).max(1e-4);
+        assert!(off < most, "{what}: {ours} and {theirs}, off by {off}");
     }
 }
 
@@ -46,15 +50,15 @@ fn assert_all_near<const N: usize>(ours: [f32; N], theirs: [f32; N], what: &str)
 fn values_and_densities() {
     let mut random = random(7);
     for [mut ours, mut theirs] in prepared(&mut random) {
-        for bounces in [Bounces::One, Bounces::All] {
+        for (bounces, most) in [(Bounces::One, ROUNDING), (Bounces::All, PASSED_ON)] {
             ours.set_bounces(bounces);
             theirs.set_bounces(bounces);
             for _ in 0..20 {
                 let light = any_direction(&mut random, 80.0);
                 let [a, b] = [&ours, &theirs].map(|shading| shading.eval(light, Output::Brdf));
-                assert_all_near(a, b, "BRDF");
+                assert_all_near(a, b, most, "BRDF");
                 let [a, b] = [&ours, &theirs].map(|shading| shading.eval_pdf(light));
-                assert_all_near(a.brdf_cos, b.brdf_cos, "BRDF times cosine");
+                assert_all_near(a.brdf_cos, b.brdf_cos, most, "BRDF times cosine");
                 assert_near(a.pdf, b.pdf, "density");
                 assert_near(
                     ours.pdf_reverse(light),
