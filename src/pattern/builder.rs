@@ -63,9 +63,9 @@ pub(super) struct Added {
 
 /// What can be made of a scratch without knowing the others; its pieces lie with those of its batch.
 struct Prepared {
-    own: Option<Track>,
-    /// How force runs along it, and its largest value.
-    course: (Vec<[f32; 2]>, f32),
+    own: Option<Box<Track>>,
+    /// How many of its batch's knots are its own, and their largest value.
+    course: (usize, f32),
     length: f64,
     is_closed: bool,
     points: usize,
@@ -75,6 +75,8 @@ struct Prepared {
 /// Scratches in their order that one thread prepared, up to the first that is refused.
 struct Batch {
     chains: Chains,
+    /// How force runs along each.
+    knots: Vec<[f32; 2]>,
     prepared: Vec<Prepared>,
     refused: Option<Error>,
 }
@@ -189,8 +191,7 @@ impl PatternBuilder {
         let added = add(self);
         if added.is_err() {
             let kept = &mut self.kept;
-            kept.chains.points.truncate(points);
-            kept.chains.pieces.truncate(pieces);
+            kept.chains.truncate(points, pieces);
             kept.own.truncate(own);
             kept.scratches.truncate(scratches);
         }
@@ -207,12 +208,13 @@ impl Plate {
     fn prepare_all(&self, scratches: &[Scratch<'_>]) -> Batch {
         let mut batch = Batch {
             chains: Chains::default(),
+            knots: Vec::new(),
             prepared: Vec::with_capacity(scratches.len()),
             refused: None,
         };
         for scratch in scratches {
             let own = number(batch.prepared.len());
-            match self.prepare(scratch, &mut batch.chains, own) {
+            match self.prepare(scratch, &mut batch, own) {
                 Ok(prepared) => batch.prepared.push(prepared),
                 Err(error) => {
                     batch.refused = Some(error);
@@ -223,7 +225,8 @@ impl Plate {
         batch
     }
 
-    fn prepare(&self, scratch: &Scratch<'_>, chains: &mut Chains, own: u32) -> Result<Prepared> {
+    fn prepare(&self, scratch: &Scratch<'_>, batch: &mut Batch, own: u32) -> Result<Prepared> {
+        let Batch { chains, knots, .. } = batch;
         let curves = scratch.path.curves(self.units_per_uv)?;
         check_keys(scratch.keys)?;
         let material = scratch.material.unwrap_or(&self.material);
@@ -245,15 +248,20 @@ impl Plate {
                 hardness,
                 is_closed: pieces.is_closed(),
             };
-            Track::along(scratch, &ground)
+            Track::along(scratch, &ground).map(Box::new)
         });
-        let course = match varies {
-            true => (course::BY_ARC_LENGTH.to_vec(), 1.0),
-            false => course::of_keys(scratch.keys, scratch.depth_law),
+        let own = own.transpose()?;
+        let before = knots.len();
+        let scale = match varies {
+            true => {
+                knots.extend(course::BY_ARC_LENGTH);
+                1.0
+            }
+            false => course::of_keys(scratch.keys, scratch.depth_law, knots),
         };
         Ok(Prepared {
-            own: own.transpose()?,
-            course,
+            own,
+            course: (knots.len() - before, scale),
             length,
             is_closed: pieces.is_closed(),
             points,
@@ -289,11 +297,14 @@ impl Kept {
         let first = self.scratches.len();
         let (mut points, mut pieces) = (self.chains.points.len(), self.chains.pieces.len());
         let count = batch.prepared.len();
+        let mut knots = &batch.knots[..];
         for (i, (scratch, prepared)) in scratches.iter().zip(batch.prepared).enumerate() {
             points += prepared.points;
             let first_piece = pieces;
             pieces += prepared.pieces;
-            self.keep(scratch, prepared, points, first_piece, material)
+            let (own, rest) = knots.split_at(prepared.course.0);
+            knots = rest;
+            self.keep(scratch, prepared, own, points, first_piece, material)
                 .map_err(|error| (i, error))?;
         }
         if let Some(error) = batch.refused {
@@ -307,6 +318,7 @@ impl Kept {
         &mut self,
         scratch: &Scratch<'_>,
         prepared: Prepared,
+        knots: &[[f32; 2]],
         points: usize,
         first_piece: usize,
         material: &Material,
@@ -328,18 +340,17 @@ impl Kept {
         let is_own = prepared.own.is_some();
         let track = match prepared.own {
             Some(track) => {
-                self.own.push(track);
+                self.own.push(*track);
                 number(self.own.len() - 1)
             }
             None => self.kinds.place(scratch, prepared.is_closed, material)?,
         };
-        let (knots, scale) = prepared.course;
         let strand = Strand {
             first_piece: number(first_piece),
             track,
-            first_knot: self.courses.place(&knots),
+            first_knot: self.courses.place(knots),
             knot_count: number(knots.len()),
-            scale,
+            scale: prepared.course.1,
             length: single(prepared.length),
         };
         self.scratches.push(Added { strand, is_own });

@@ -161,29 +161,23 @@ impl Chord<'_> {
 }
 
 impl Span {
-    fn of(track: &TrackRef<'_>, lengths: LengthShares, at: [f64; 2], values: [f64; 2]) -> Self {
-        let [first, last] = values;
-        if first == last {
-            return Self::Even(per_mm(track, first));
+    fn of(
+        track: &TrackRef<'_>,
+        lengths: LengthShares,
+        at: [f64; 2],
+        [first, last]: [f64; 2],
+    ) -> Self {
+        let step = (last - first) / STEPS as f64;
+        if step.abs() <= track.least_step() {
+            return Self::Even(per_mm(track, 0.5 * (first + last)));
         }
-        // Classes at two places of each (Gauss and Legendre's), its width as it is on average.
-        let nodes = [0.211_324_865_405_187, 0.788_675_134_594_813];
-        let value = |place: f64| first + place / STEPS as f64 * (last - first);
-        let mut steps = [ClassAreas::default(); STEPS];
-        for (i, step) in steps.iter_mut().enumerate() {
-            let places = nodes.map(|node| value(i as f64 + node));
-            let width_mm = single(track.mean_width(value(i as f64), value((i + 1) as f64)));
-            let looked = places.map(|place| {
-                let ([left, right], classes) = track.ends_and_classes(place);
-                // Where it sets in, too, what there is has a class.
-                ((right - left).max(1e-3 * width_mm), classes)
-            });
-            let both = looked[0].0 + looked[1].0;
-            for (weight, classes) in looked {
-                let share = if both > 0.0 { weight / both } else { 0.0 };
-                add_shares(step, &classes, share * width_mm);
-            }
-        }
+        let mut before = track.areas_to(first);
+        let steps = core::array::from_fn(|i| {
+            let upto = track.areas_to(first + step * (i + 1) as f64);
+            let before = core::mem::replace(&mut before, upto);
+            let mean = |class: usize| single(((upto[class] - before[class]) / step).max(0.0));
+            core::array::from_fn(mean)
+        });
         Self::Changing { lengths, at, steps }
     }
 

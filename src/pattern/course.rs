@@ -11,6 +11,8 @@ use std::collections::HashMap;
 pub(crate) struct Courses {
     knots: Vec<[f32; 2]>,
     known: HashMap<Vec<[u32; 2]>, u32>,
+    /// Place and length of the last one that was asked for: most scratches are like the one before.
+    last: (u32, usize),
 }
 
 /// One scratch's course: linear between its knots, constant before the first and after the last.
@@ -24,8 +26,8 @@ pub(crate) struct Course<'p> {
 /// The course of a scratch whose cross-sections are known by arc length itself.
 pub(crate) const BY_ARC_LENGTH: [[f32; 2]; 2] = [[0.0; 2], [1.0; 2]];
 
-/// Knots and scale of what the keys state: force, or depth under [`DepthLaw::Stated`].
-pub(crate) fn of_keys(keys: &[Key], law: DepthLaw) -> (Vec<[f32; 2]>, f32) {
+/// Adds knots of what the keys state, force or depth under [`DepthLaw::Stated`], and tells the scale.
+pub(crate) fn of_keys(keys: &[Key], law: DepthLaw, knots: &mut Vec<[f32; 2]>) -> f32 {
     let stated = |key: &Key| value(key, law);
     let scale = keys.iter().map(stated).fold(0.0, f64::max);
     let share = |key: &Key| {
@@ -36,10 +38,12 @@ pub(crate) fn of_keys(keys: &[Key], law: DepthLaw) -> (Vec<[f32; 2]>, f32) {
         }
     };
     if keys.iter().all(|key| stated(key) == scale) {
-        return (vec![[0.0, 1.0]], single(scale));
+        knots.push([0.0, 1.0]);
+    } else {
+        let all = keys.iter();
+        knots.extend(all.map(|key| [single(key.at), single(share(key))]));
     }
-    let knots = keys.iter().map(|key| [single(key.at), single(share(key))]);
-    (knots.collect(), single(scale))
+    single(scale)
 }
 
 /// What of a key the cross-section depends on.
@@ -54,6 +58,17 @@ impl Courses {
     /// The number of the first of these knots among all.
     pub(crate) fn place(&mut self, knots: &[[f32; 2]]) -> u32 {
         let key: &[[u32; 2]] = bytemuck::cast_slice(knots);
+        let (first, count) = (self.last.0 as usize, self.last.1);
+        let last = self.knots.get(first..first + count);
+        if count > 0 && last.is_some_and(|last| bytemuck::cast_slice::<_, [u32; 2]>(last) == key) {
+            return self.last.0;
+        }
+        let place = self.place_of(key, knots);
+        self.last = (place, knots.len());
+        place
+    }
+
+    fn place_of(&mut self, key: &[[u32; 2]], knots: &[[f32; 2]]) -> u32 {
         if let Some(&known) = self.known.get(key) {
             return known;
         }

@@ -3,6 +3,7 @@
 
 use super::caps::ENDS;
 use super::course::value;
+use super::grid::number;
 use super::scratch::Scratch;
 use super::track::{Track, hard_ends, in_key};
 use crate::error::Result;
@@ -19,6 +20,8 @@ const MOST_EXACT: usize = 256;
 pub(crate) struct Kinds {
     kinds: Vec<Kind>,
     by_hash: HashMap<u64, Vec<u32>>,
+    /// The last one that was asked for: most scratches are like the one before.
+    last: usize,
 }
 
 #[derive(Clone, Debug)]
@@ -53,18 +56,23 @@ impl Kinds {
     ) -> Result<u32> {
         let material = scratch.material.unwrap_or(surface);
         let orientation = scratch.tool.plainest(scratch.keys[0].orientation);
-        let hash = hash(scratch, orientation, material);
-        let known = self.by_hash.entry(hash).or_default();
-        let same = known.iter().copied().find(|&number| {
-            let kind = &self.kinds[number as usize];
+        let is_same = |kind: &Kind| {
             kind.law == scratch.depth_law
                 && kind.orientation == orientation
                 && kind.material == *material
                 && kind.tool.is_same(scratch.tool)
-        });
-        if let Some(number) = same {
-            self.kinds[number as usize].admit(scratch, is_closed)?;
-            return Ok(number);
+        };
+        if let Some(last) = self.kinds.get_mut(self.last).filter(|last| is_same(last)) {
+            last.admit(scratch, is_closed)?;
+            return Ok(number(self.last));
+        }
+        let hash = hash(scratch, orientation, material);
+        let known = self.by_hash.entry(hash).or_default();
+        let mut known_ones = known.iter().copied();
+        if let Some(known) = known_ones.find(|&known| is_same(&self.kinds[known as usize])) {
+            self.last = known as usize;
+            self.kinds[self.last].admit(scratch, is_closed)?;
+            return Ok(known);
         }
         let mut kind = Kind {
             tool: scratch.tool.clone(),
@@ -76,10 +84,10 @@ impl Kinds {
             hard: [NO_SPAN; 2],
         };
         kind.admit(scratch, is_closed)?;
-        let number = u32::try_from(self.kinds.len()).unwrap_or(u32::MAX);
-        known.push(number);
+        self.last = self.kinds.len();
+        known.push(number(self.last));
         self.kinds.push(kind);
-        Ok(number)
+        Ok(number(self.last))
     }
 
     /// Each kind's cross-sections by force.

@@ -122,23 +122,6 @@ fn sort<'a, T: Copy + 'a, I: Iterator<Item = &'a (u32, T)>>(
     }
 }
 
-/// Parts one after the other, copied on all cores.
-pub(crate) fn joined<T: Copy + Zeroable + Send + Sync>(parts: &[impl AsRef<[T]> + Sync]) -> Vec<T> {
-    let parts = parts.iter().map(AsRef::as_ref);
-    let mut all = zeroed_vec(parts.clone().map(<[T]>::len).sum());
-    let mut rest = &mut all[..];
-    let mut pairs = Vec::new();
-    for part in parts.flat_map(|part| part.chunks(PORTION)) {
-        let (place, behind) = rest.split_at_mut(part.len());
-        pairs.push((place, part));
-        rest = behind;
-    }
-    pairs
-        .into_par_iter()
-        .for_each(|(place, part)| place.copy_from_slice(part));
-    all
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -40,6 +40,7 @@ mod sections;
 mod spline;
 mod store;
 mod strip;
+mod sums;
 mod surface;
 mod track;
 mod tracks;

@@ -69,7 +69,8 @@ impl Path<'_> {
                 joins: true,
             }
         });
-        let mut curves: Vec<Curve> = measured.filter(|curve| curve.length > 0.0).collect();
+        let mut curves = Vec::with_capacity(measured.len());
+        curves.extend(measured.filter(|curve: &Curve| curve.length > 0.0));
         let whole: f64 = curves.iter().map(|curve| curve.length).sum();
         if whole.is_nan() || whole <= 0.0 || whole.is_infinite() {
             let accepted = "a path of finite length above 0";

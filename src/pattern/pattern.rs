@@ -4,7 +4,6 @@ use super::builder::PatternBuilder;
 use super::course::Course;
 use super::grid::Grid;
 use super::hosts::Hosts;
-use super::lists::joined;
 use super::overlap::visible_shares;
 use super::palette::Palette;
 use super::pieces::{Curves, Piece};
@@ -20,6 +19,9 @@ use rayon::prelude::*;
 /// Neighbouring pieces that turn less than this in all are one run, with one frame, degrees. On smooth finishes
 /// less: see [`run_cos`].
 const MOST_RUN_DEG: f64 = 2.0;
+
+/// From this many scratches on, each is looked at in fewer places when classes are chosen.
+const MANY: usize = 1 << 16;
 
 /// A surface with its scratches, immutable: share it between threads as you like.
 #[derive(Clone, Debug)]
@@ -89,8 +91,8 @@ impl Pattern {
             .map(Finish::alpha)
             .fold(1.0, f32::min);
         let mut pattern = Self {
-            points: joined(&[curves.points]).into(),
-            pieces: joined(&[curves.pieces]).into(),
+            points: (&kept.chains.points).into(),
+            pieces: (&kept.chains.pieces).into(),
             strands: kept
                 .scratches
                 .par_iter()
@@ -113,6 +115,7 @@ impl Pattern {
         pattern.visible = visible_shares(&pattern).into();
         pattern.palette = Palette::new(&pattern.tracks, &pattern.station_areas());
         pattern.tracks.blends = pattern.palette.blends(&pattern.tracks).into();
+        pattern.tracks.sums = pattern.tracks.class_sums().into();
         pattern.pyramid = Pyramid::new(&pattern);
         pattern
     }
@@ -146,14 +149,15 @@ impl Pattern {
 
     /// Adds one scratch's area.
     fn add_areas(&self, scratch: usize, areas: &mut [f64]) {
-        const PLACES: u32 = 4;
+        // Of many, one place each says as much.
+        let most = if self.strands.len() < MANY { 4 } else { 1 };
         let number = u32::try_from(scratch).unwrap_or(u32::MAX);
         let Some((track, course)) = self.strand(number) else {
             return;
         };
         let whole = self.length_of(number);
         for [[from, a], [to, b]] in course.turns(0.0, 1.0) {
-            let places = if a == b { 1 } else { PLACES };
+            let places = if a == b { 1 } else { most };
             for i in 0..places {
                 let place = a + (b - a) * (f64::from(i) + 0.5) / f64::from(places);
                 let (station, mix) = track.locate(place);

@@ -5,6 +5,7 @@ use super::path::{Curve, scaled};
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 use kurbo::{CubicBez, ParamCurve, Point};
+use std::sync::Arc;
 
 /// A piece turns by no more than this, so that it has one nearest point and a tight box.
 const MOST_TURN_RAD: f64 = 0.5;
@@ -31,11 +32,12 @@ pub(crate) struct Piece {
     pub end_at: f32,
 }
 
-/// Pieces and their control points, (u, v); a joined piece shares its first point with the piece before it.
+/// Pieces and their control points, (u, v); a joined piece shares its first point with the piece before it. A pattern
+/// shares them with its builder.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Chains {
-    pub points: Vec<DVec2>,
-    pub pieces: Vec<Piece>,
+    pub points: Arc<Vec<DVec2>>,
+    pub pieces: Arc<Vec<Piece>>,
 }
 
 /// Pieces to read.
@@ -79,7 +81,7 @@ impl Chains {
             }
             before += curve.length;
         }
-        if let Some(last) = self.pieces.last_mut() {
+        if let Some(last) = Arc::make_mut(&mut self.pieces).last_mut() {
             last.end_at = 1.0;
         }
         Curves {
@@ -91,12 +93,19 @@ impl Chains {
     /// Appends other paths' pieces, the first of which becomes scratch number `scratch`.
     pub(crate) fn append(&mut self, paths: &Self, scratch: u32) {
         let shift = u32::try_from(self.points.len()).unwrap_or(0);
-        self.points.extend(&paths.points);
-        self.pieces.extend(paths.pieces.iter().map(|piece| Piece {
+        Arc::make_mut(&mut self.points).extend(&*paths.points);
+        let pieces = Arc::make_mut(&mut self.pieces);
+        pieces.extend(paths.pieces.iter().map(|piece| Piece {
             place: piece.place + shift,
             scratch: piece.scratch + scratch,
             ..*piece
         }));
+    }
+
+    /// Takes back all but the first so many control points and pieces.
+    pub(crate) fn truncate(&mut self, points: usize, pieces: usize) {
+        Arc::make_mut(&mut self.points).truncate(points);
+        Arc::make_mut(&mut self.pieces).truncate(pieces);
     }
 
     pub(crate) fn curves(&self) -> Curves<'_> {
@@ -140,12 +149,12 @@ impl Growing<'_> {
     }
 
     fn push(&mut self, control: &[DVec2], flags: u32, joins: bool, end_at: f64) {
-        let points = &mut self.chains.points;
+        let points = Arc::make_mut(&mut self.chains.points);
         // The first piece of a closed path is joined to points that are yet to come.
         let shares = joins && points.len() > self.first_point;
         let first = points.len() - usize::from(shares);
         points.extend(&control[usize::from(shares)..]);
-        self.chains.pieces.push(Piece {
+        Arc::make_mut(&mut self.chains.pieces).push(Piece {
             place: u32::try_from(first).unwrap_or(0) | flags | if joins { JOINED } else { 0 },
             scratch: self.scratch,
             end_at: crate::single(end_at),

@@ -230,9 +230,12 @@ impl Raster {
         let [from, to] = [a, b].map(|p| (p - self.origin) * self.per_unit);
         let most = DVec2::new(self.columns.into(), self.rows.into()) - 1.0;
         let cell = |p: DVec2| {
-            let cell = p.floor().clamp(DVec2::ZERO, most);
+            let cell = p.clamp(DVec2::ZERO, most);
             cell_number(cell.y) * self.columns + cell_number(cell.x)
         };
+        if cell(from) == cell(to) {
+            return visit(cell(from), [0.0, 1.0]);
+        }
         let step = to - from;
         let mut before = 0.0;
         let mut put = |upto: f64| {
@@ -242,9 +245,6 @@ impl Raster {
             }
         };
         let mut next = [0, 1].map(|axis| Borders::between(from[axis], to[axis]));
-        if next[0].count == 0.0 && next[1].count == 0.0 {
-            return visit(cell(from), [0.0, 1.0]);
-        }
         loop {
             let at = next.each_ref().map(Borders::place);
             match at {
@@ -347,11 +347,11 @@ impl Borders {
         let (low, high) = (from.min(to), from.max(to));
         let side = if to < from { -1.0 } else { 1.0 };
         let next = if to < from {
-            from.ceil() - 1.0
+            -floor(-from) - 1.0
         } else {
-            from.floor() + 1.0
+            floor(from) + 1.0
         };
-        let count = (high.ceil() - 1.0 - low.floor()).max(0.0);
+        let count = (-floor(-high) - 1.0 - floor(low)).max(0.0);
         Self {
             from,
             step: to - from,
@@ -370,6 +370,16 @@ impl Borders {
         self.next += self.side;
         self.count -= 1.0;
     }
+}
+
+/// The same as [`f64::floor`] of a place in cells, without a call.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "places lie within a few times 4096 cells"
+)]
+fn floor(at: f64) -> f64 {
+    let whole = at as i64 as f64;
+    if whole > at { whole - 1.0 } else { whole }
 }
 
 #[expect(

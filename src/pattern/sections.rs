@@ -17,7 +17,7 @@ use memmap2::Mmap;
 use std::sync::Arc;
 
 /// How many arrays a pattern is.
-pub(crate) const SECTIONS: usize = 22;
+pub(crate) const SECTIONS: usize = 23;
 
 /// Bytes of the block of numbers.
 pub(crate) const FACTS: usize = size_of::<Facts>();
@@ -100,6 +100,7 @@ impl Pattern {
             Section::of(&self.tracks.vertices),
             Section::of(&self.tracks.layers),
             Section::of(&self.tracks.blends),
+            Section::of(&self.tracks.sums),
             Section::of(&self.tracks.caps.stations),
             Section::of(&self.tracks.caps.wedges),
             Section::of(&self.tracks.caps.vertices),
@@ -142,6 +143,7 @@ impl Pattern {
                 vertices: sections.next()?,
                 layers: sections.next()?,
                 blends: sections.next()?,
+                sums: sections.next()?,
                 caps: Caps {
                     stations: sections.next()?,
                     wedges: sections.next()?,

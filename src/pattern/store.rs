@@ -3,13 +3,14 @@
 use bytemuck::Pod;
 use core::fmt;
 use core::ops::Deref;
+use std::sync::Arc;
 #[cfg(feature = "files")]
-use {core::ops::Range, memmap2::Mmap, std::sync::Arc};
+use {core::ops::Range, memmap2::Mmap};
 
-/// Plain numbers to read as a slice. What is added to a part of a file is added to a copy.
+/// Plain numbers to read as a slice. What is added to a part of a file, or to what others hold too, is added to a copy.
 #[derive(Clone)]
 pub(crate) enum Store<T> {
-    Owned(Vec<T>),
+    Owned(Arc<Vec<T>>),
     /// These bytes of a file.
     #[cfg(feature = "files")]
     Mapped(Arc<Mmap>, Range<usize>),
@@ -28,14 +29,14 @@ impl<T: Pod> Store<T> {
         self.to_mut().push(element);
     }
 
-    /// Of a part of a file a copy.
+    /// Of a part of a file, or of what others hold too, a copy.
     pub(super) fn to_mut(&mut self) -> &mut Vec<T> {
         #[cfg(feature = "files")]
         if let Self::Mapped(..) = self {
-            *self = Self::Owned(self.to_vec());
+            *self = self.to_vec().into();
         }
         match self {
-            Self::Owned(elements) => elements,
+            Self::Owned(elements) => Arc::make_mut(elements),
             #[cfg(feature = "files")]
             Self::Mapped(..) => unreachable!("was copied"),
         }
@@ -44,13 +45,19 @@ impl<T: Pod> Store<T> {
 
 impl<T> Default for Store<T> {
     fn default() -> Self {
-        Self::Owned(Vec::new())
+        Vec::new().into()
     }
 }
 
 impl<T> From<Vec<T>> for Store<T> {
     fn from(elements: Vec<T>) -> Self {
-        Self::Owned(elements)
+        Self::Owned(Arc::new(elements))
+    }
+}
+
+impl<T> From<&Arc<Vec<T>>> for Store<T> {
+    fn from(elements: &Arc<Vec<T>>) -> Self {
+        Self::Owned(elements.clone())
     }
 }
 

@@ -1,6 +1,7 @@
 //! All cross-sections of a pattern, in flat arrays.
 
 use super::caps::{CapRange, CapRef, Caps, vertices_per_sector};
+use super::chords::ClassAreas;
 use super::grid::number;
 use super::palette::Blend;
 use super::profile::Profile;
@@ -23,6 +24,7 @@ pub(crate) struct Tracks {
     pub(super) caps: Caps,
     /// How each station is shared between the palette's classes.
     pub blends: Store<Blend>,
+    pub sums: Store<ClassAreas>,
 }
 
 /// Where one track's share of the arrays begins, and how long it is.
@@ -80,7 +82,9 @@ pub(crate) struct Extent {
 pub(crate) struct TrackRef<'p> {
     stations: &'p [Station],
     vertices: &'p [Vec2],
-    blends: &'p [Blend],
+    pub(super) blends: &'p [Blend],
+    /// Up to each station, what [`Self::areas_to`] says.
+    pub(super) sums: &'p [ClassAreas],
     /// Number of its first station among all.
     pub first_station: usize,
     pub vertex_count: usize,
@@ -155,6 +159,7 @@ impl Tracks {
         Some(TrackRef {
             stations: self.stations.get(first..first + count)?,
             blends: self.blends.get(first..first + count).unwrap_or(&[]),
+            sums: self.sums.get(first..first + count).unwrap_or(&[]),
             first_station: first,
             vertices: self.vertices.get(vertex..vertex + count * per_station)?,
             vertex_count: per_station,
@@ -188,6 +193,7 @@ impl Tracks {
             + size_of_val(&self.vertices[..])
             + size_of_val(&self.layers[..])
             + size_of_val(&self.blends[..])
+            + size_of_val(&self.sums[..])
     }
 
     /// Puts others in the place of all finishes.
@@ -338,12 +344,15 @@ impl<'p> TrackRef<'p> {
 
     /// How wide it is on average on an even way from one place to another, mm.
     pub(crate) fn mean_width(&self, from: f64, to: f64) -> f64 {
-        let all = f64::from(self.stations[self.stations.len() - 1].at - self.stations[0].at);
-        // Sums of so little would be rounding.
-        if (to - from).abs() <= 1e-4 * all {
+        if (to - from).abs() <= self.least_step() {
             return self.width(0.5 * (from + to));
         }
         (self.area_to(to) - self.area_to(from)) / (to - from)
+    }
+
+    /// Of less of the way, differences of sums would be rounding.
+    pub(super) fn least_step(&self) -> f64 {
+        1e-4 * f64::from(self.stations[self.stations.len() - 1].at - self.stations[0].at)
     }
 
     /// The width added up from the first station to a place.
