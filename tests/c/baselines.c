@@ -66,7 +66,7 @@ static void refuses(const StriaePattern *pattern) {
     EXPECT(baseline == NULL);
     EXPECT_REFUSED(striae_baseline_bb90(NULL, &CANVAS, 0.0f, 1.0f, 0, &baseline), "pattern", "NULL");
     EXPECT_REFUSED(striae_baseline_bb90(pattern, NULL, 0.0f, 1.0f, 0, &baseline), "canvas", "NULL");
-    EXPECT_REFUSED(striae_baseline_bb90(pattern, &CANVAS, 0.7f, 0.2f, 0, &baseline), "intensity", "0.7");
+    EXPECT_REFUSED(striae_baseline_bb90(pattern, &CANVAS, 0.75f, 0.25f, 0, &baseline), "intensity", "0.75");
     EXPECT_REFUSED(striae_baseline_bb90(pattern, &CANVAS, 0.0f, 1.0f, 0, NULL), "baseline", "NULL");
     EXPECT_REFUSED(striae_baseline_bl99(pattern, &CANVAS, NULL, 30.0f, &baseline), "specular", "NULL");
     EXPECT_REFUSED(striae_baseline_bl99(pattern, &CANVAS, SPECULAR, NAN, &baseline), "exponent", "NaN");
