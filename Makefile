@@ -1,4 +1,4 @@
-# `make demo` renders the scratched titanium plate, `make figures` the paper's Figure 9, `make compare` judges the library by
+# `make demo` renders the scratched titanium plate, `make figures` the paper's Figures 7 and 9, `make compare` judges the library by
 # brute force and POV-Ray, `make test` checks everything.
 # All of them install the Debian packages they need, as root or through sudo.
 
@@ -19,12 +19,14 @@ help:
 	@echo "make demo           render the plate's three views into $(OUT)/"
 	@echo "make demo CHECK=1   and compare one sample per pixel with 256"
 	@echo "make demo ARGS=...  with the renderer's own options: ARGS=--help lists them"
-	@echo "make figures        the paper's Figure 9: sixteen scratches over their cross-sections, into $(OUT)/"
+	@echo "make figures        the paper's Figures 7 (curves, and the systems before them) and 9 (sixteen scratches over their"
+	@echo "                    cross-sections), into $(OUT)/"
 	@echo "make compare        the library against brute force and POV-Ray, which see the relief's own triangles: a table,"
 	@echo "                    $(OUT)/compare.json and pictures in $(OUT)/compare/; ten minutes or so"
 	@echo "make test           every check: Rust and C"
-	@echo "make bench          what cross-sections, a million scratches and the index cost: $(OUT)/bench.json"
 	@echo "make page           $(OUT)/index.html of all that the other commands left there, with FLIP maps; they make it themselves"
+	@echo "make bench          what cross-sections, a million scratches, the index and rendering cost, beside earlier systems"
+	@echo "                    and explicit geometry: $(OUT)/bench.json, $(OUT)/equal-error.png"
 	@echo "make clean          remove $(BUILD)/, $(OUT)/ and target/"
 
 # The demo reads no files: a library without them builds in half the time.
@@ -38,7 +40,8 @@ demo: rust
 figures: rust
 	@scripts/need $(PACKAGES)
 	@$(CONFIGURE) -DSTRIAE_BUILD_TESTS=OFF
-	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_figure9
+	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_figure7 striae_figure9
+	@$(BUILD)/c_examples/figure7/striae_figure7 $(OUT)
 	@$(BUILD)/c_examples/figure9/striae_figure9 $(OUT)
 	@$(MAKE) page
 
@@ -57,7 +60,13 @@ test: rust
 	@BUILD='$(BUILD)' JOBS='$(JOBS)' CONFIGURE='$(CONFIGURE)' scripts/test
 
 bench: rust
+	@scripts/need $(PACKAGES) librsvg2-bin
 	@cargo bench --locked
+	@$(CONFIGURE) -DSTRIAE_BUILD_TESTS=OFF
+	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_bench
+	@mkdir -p $(OUT)
+	@$(BUILD)/c_examples/bench/striae_bench $(OUT)
+	@rsvg-convert $(OUT)/equal-error.svg -o $(OUT)/equal-error.png
 
 # Of what the others left in $(OUT).
 page: rust

@@ -25,6 +25,7 @@
  *     striae_pattern_query()                     which scratches are there, for masks and labels
  *
  *     striae_relief_mesh()                       the relief as triangles, to print, to check, or to look at from inside
+ *     striae_baseline_bb90(), _bl99(), _mdg01()  the same scratches as earlier systems had them, shaded side by side
  *
  *     striae_pattern_release(), striae_tool_release()
  *
@@ -494,6 +495,12 @@ typedef enum StriaeFootprint {
    */
   STRIAE_FOOTPRINT_DIFFERENTIALS = 2,
 } StriaeFootprint;
+
+/**
+ * A surface scratched in the manner of an earlier system, for work side by side. Immutable; any thread may use it;
+ * reference-counted.
+ */
+typedef struct StriaeBaseline StriaeBaseline;
 
 /**
  * A scratch's cross-section. Immutable; any thread may use it; reference-counted.
@@ -1532,6 +1539,47 @@ typedef struct StriaeSamplesOut {
   uint32_t *lobe;
 } StriaeSamplesOut;
 
+/**
+ * Which part of texture space an earlier system paints its scratches on, and how finely. What lies beside it is unscratched.
+ */
+typedef struct StriaeCanvas {
+  /**
+   * Two opposite corners of a rectangle, (u, v), -1e6 to 1e6, the first one lower in both.
+   */
+  double area_uv[2][2];
+  /**
+   * Texels in u and in v, each 1 to 32768, 2^30 at most in all.
+   */
+  uint32_t texels[2];
+} StriaeCanvas;
+
+/**
+ * The one cross-section of MDG01: four zones of equal width, a peak, a groove, and the same peak again. Set struct_size to
+ * sizeof(StriaeTwoAngles).
+ */
+typedef struct StriaeTwoAngles {
+  /**
+   * sizeof(StriaeTwoAngles)
+   */
+  size_t struct_size;
+  /**
+   * Width of all four zones together, mm, 1e-6 to 1e6.
+   */
+  double width_mm;
+  /**
+   * How steeply the peaks rise from the surface, degrees, 0 to 85.
+   */
+  double peak_deg;
+  /**
+   * How steeply the groove falls from their tops, degrees, 0 to 85.
+   */
+  double groove_deg;
+  /**
+   * Base BRDFs of the zones, from left to right.
+   */
+  struct StriaeBrdf zones[4];
+} StriaeTwoAngles;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -1956,6 +2004,15 @@ enum StriaeStatus striae_pattern_builder_build(const struct StriaePatternBuilder
  * Frees a builder. Patterns built with it live on. NULL is fine.
  */
 void striae_pattern_builder_free(struct StriaePatternBuilder *builder);
+
+/**
+ * Tells how much memory a pattern takes: all its arrays. Of an opened one the file's, which processes share.
+ *
+ * @param pattern the pattern
+ * @param bytes receives it
+ */
+enum StriaeStatus striae_pattern_memory(const struct StriaePattern *pattern,
+                                        size_t *bytes);
 
 /**
  * Adds a reference. NULL is fine.
@@ -2518,6 +2575,93 @@ enum StriaeStatus striae_sample_many(const struct StriaeShading *shadings,
  * @param allowed 0 or 1
  */
 enum StriaeStatus striae_set_simd(uint32_t allowed);
+
+/**
+ * Scratches as Becket and Badler had them (1990): each is a straight line, from where the pattern's starts to where it
+ * ends, and reflects evenly in all directions: a random share of light. They are one texel wide; a point shows the texel
+ * that it lies in.
+ *
+ * Not in a library that was built without the cargo feature `files` (it is on by default); nor are the other calls named
+ * striae_baseline.
+ *
+ * @param pattern the scratches, their surface and its scale; scratches dealt out at random: STRIAE_STYLE_STRAIGHT
+ * @param canvas where and how finely they are painted
+ * @param lowest least intensity of a scratch, 0 to 1
+ * @param highest its most, from `lowest` to 1
+ * @param seed another seed, other intensities
+ * @param baseline receives a handle to release with striae_baseline_release(); NULL on failure
+ */
+enum StriaeStatus striae_baseline_bb90(const struct StriaePattern *pattern,
+                                       const struct StriaeCanvas *canvas,
+                                       float lowest,
+                                       float highest,
+                                       uint64_t seed,
+                                       struct StriaeBaseline **baseline);
+
+/**
+ * Scratches as Buchanan and Lalonde had them (1999): each is a straight line, from where the pattern's starts to where it
+ * ends; each texel lists those that pass through it, and a point adds the strongest of their highlights to what the surface
+ * reflects. All shine alike: by Phong's lobe about the nearest direction to which a thin line mirrors the view, lines being
+ * told apart by 2.5 degrees. Such a surface may reflect more light than it gets.
+ *
+ * @param pattern the scratches, their surface and its scale; scratches dealt out at random: STRIAE_STYLE_STRAIGHT
+ * @param canvas where and how finely they are listed
+ * @param specular the highlight's colour, RGB, each 0 to 1
+ * @param exponent of the lobe's cosine, 1 (wide) to 100000 (sharp)
+ * @param baseline receives a handle to release with striae_baseline_release(); NULL on failure
+ */
+enum StriaeStatus striae_baseline_bl99(const struct StriaePattern *pattern,
+                                       const struct StriaeCanvas *canvas,
+                                       const float specular[3],
+                                       float exponent,
+                                       struct StriaeBaseline **baseline);
+
+/**
+ * Scratches as Merillou, Dischler and Ghazanfarpour had them (2001): painted into an image, one texel wide, all with one
+ * symmetric cross-section of two angles. A pixel that holds a painted texel has the scratch in its middle, which takes half
+ * of the pixel at most and runs the way that the seven by seven texels about the one nearest to its centre say.
+ *
+ * @param pattern the scratches' paths, their surface and its scale
+ * @param canvas where and how finely they are painted
+ * @param scratch the cross-section
+ * @param baseline receives a handle to release with striae_baseline_release(); NULL on failure
+ */
+enum StriaeStatus striae_baseline_mdg01(const struct StriaePattern *pattern,
+                                        const struct StriaeCanvas *canvas,
+                                        const struct StriaeTwoAngles *scratch,
+                                        struct StriaeBaseline **baseline);
+
+/**
+ * Prepares a point for one viewing direction, as striae_shade() does of a pattern: the shading is evaluated and sampled by
+ * the same calls. Never allocates, locks or blocks; any number of threads at once.
+ *
+ * @param baseline the scratches
+ * @param point the point
+ * @param view direction to the viewer, away from the surface, in the local frame, of any length above 0
+ * @param shading receives the result; need not be initialised. Shading into it again replaces what it held
+ */
+enum StriaeStatus striae_baseline_shade(const struct StriaeBaseline *baseline,
+                                        const struct StriaePoint *point,
+                                        const float view[3],
+                                        struct StriaeShading *shading);
+
+/**
+ * Tells how much memory the images or lists take.
+ *
+ * @param baseline the scratches
+ * @param bytes receives it
+ */
+enum StriaeStatus striae_baseline_memory(const struct StriaeBaseline *baseline, size_t *bytes);
+
+/**
+ * Adds a reference. NULL is fine.
+ */
+void striae_baseline_retain(const struct StriaeBaseline *baseline);
+
+/**
+ * Drops a reference; the last one frees it. NULL is fine.
+ */
+void striae_baseline_release(const struct StriaeBaseline *baseline);
 
 #ifdef __cplusplus
 }  // extern "C"

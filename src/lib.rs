@@ -3,7 +3,8 @@
 //! Data flows one way: [`formation`] makes cross-sections from tools, forces and materials; [`pattern`] runs
 //! them along curves in texture space and finds those a pixel sees; [`scattering`] turns what it sees into a
 //! BRDF. [`brdf`] holds the base BRDFs of single zones. `files` (a cargo feature, on by default) reads tools from
-//! 3D models and whole patterns from JSON, and paths from drawings (the feature `svg`). `capi` is the C face of the same.
+//! 3D models and whole patterns from JSON, and paths from drawings (the feature `svg`).
+//! `baseline` (the feature `files`) has the systems that these ideas replaced, for comparison. `capi` is the C face of the same.
 //!
 //! After Bosch, Pueyo, Mérillou and Ghazanfarpour, "A Physically-Based Model for Rendering Realistic
 //! Scratches", Computer Graphics Forum 23(3), 2004.
@@ -44,6 +45,8 @@
 //! # Ok::<(), striae::Error>(())
 //! ```
 
+#[cfg(feature = "files")]
+pub mod baseline;
 pub mod brdf;
 pub mod capi;
 mod error;

@@ -27,6 +27,7 @@ fn header_is_fresh() {
         "sampling",
         "zones",
         "many",
+        "baseline",
     ];
     let builder = sources
         .iter()

@@ -290,6 +290,57 @@ fn fresh_threads_allocate_nothing() {
     });
 }
 
+/// Nor do the earlier systems allocate, once their images and lists are made.
+#[cfg(feature = "files")]
+#[test]
+fn earlier_systems_allocate_nothing() {
+    use striae::baseline::{Baseline, Canvas, Highlight, TwoAngles};
+    let pattern = pattern();
+    let canvas = Canvas {
+        area_uv: [[0.0; 2], [1.0; 2]],
+        texels: [256; 2],
+    };
+    let highlight = Highlight {
+        specular: [0.5; 3],
+        exponent: 20.0,
+    };
+    let scratch = TwoAngles {
+        width_mm: 0.2,
+        peak_deg: 20.0,
+        groove_deg: 40.0,
+        zones: [ggx(0.2, 0.8); 4],
+    };
+    let systems = [
+        Baseline::bb90(&pattern, &canvas, [0.2, 0.8], 1),
+        Baseline::bl99(&pattern, &canvas, &highlight),
+        Baseline::mdg01(&pattern, &canvas, &scratch),
+    ];
+    for system in systems.map(Result::unwrap) {
+        let mut scratched = 0;
+        let count = allocations(|| {
+            let mut shading = Shading::default();
+            for i in 0..2000 {
+                let [u, v] = [0.7548777, 0.5698403].map(|s| (f64::from(i) * s).fract());
+                let point = SurfacePoint {
+                    uv: [u, v],
+                    dp_du: [100.0, 0.0, 0.0],
+                    dp_dv: [0.0, 100.0, 0.0],
+                    normal: [0.0, 0.0, 1.0],
+                    footprint: Footprint::Radius(0.5),
+                };
+                let shaded = system.shade(&point, [0.2, 0.1, 0.9], &mut shading);
+                black_box((
+                    shaded.is_ok(),
+                    shading.eval([0.1, 0.3, 0.9], Output::BrdfCos),
+                ));
+                scratched += shading.scratch_count();
+            }
+        });
+        assert!(scratched > 0, "nothing was shaded");
+        assert_eq!(count, 0, "{scratched} scratched points");
+    }
+}
+
 /// Copying a shading point and making one allocate nothing: it is plain data.
 #[test]
 fn shading_points_are_plain() {

@@ -2,7 +2,7 @@
 //! may live in a caller's uninitialised memory.
 
 use super::{
-    Brdf, Fresnel, Hosted, Local, Pair, beckmann, ggx, hosted, lambert, oren_nayar, phong,
+    Brdf, Fresnel, Hosted, Local, Pair, beckmann, ggx, hosted, lambert, oren_nayar, phong, threads,
 };
 use crate::lanes::{Lanes, Number, One};
 use core::f32::consts::FRAC_1_PI;
@@ -18,6 +18,8 @@ const PHONG: u32 = 5;
 /// The host's own, by its number: diffuse or not.
 const HOSTED_DIFFUSE: u32 = 6;
 const HOSTED_GLOSSY: u32 = 7;
+/// Of several threads the one that shines most: the earlier systems' own.
+const THREADS: u32 = 8;
 
 /// Colours: what does not.
 const PLAIN: u32 = 0;
@@ -55,11 +57,12 @@ pub(crate) struct Finish {
     colour: u32,
     /// Width of the distribution of slopes across the scratch; of Phong's lobe the width that looks like it.
     alpha: f32,
-    /// Of anisotropic GGX and the host's own: along the scratch. Of Oren-Nayar the roughness, of Phong the exponent.
+    /// Of anisotropic GGX and the host's own: along the scratch. Of Oren-Nayar the roughness, of Phong and of threads the
+    /// exponent.
     second: f32,
     /// Plain: what all lobes are multiplied by; Schlick: f0; conductor: eta.
     rgb: [f32; 3],
-    /// Conductor: k.
+    /// Conductor: k. Threads: the set of their directions.
     k: [f32; 3],
 }
 
@@ -158,6 +161,20 @@ impl Finish {
                 ..self
             },
             _ => self,
+        }
+    }
+
+    /// The strongest of several threads' highlights, as bright as Phong's of this colour and exponent.
+    #[cfg(feature = "files")]
+    pub(crate) fn threads(
+        specular: [f32; 3],
+        exponent: f32,
+        directions: &threads::Directions,
+    ) -> Self {
+        Self {
+            lobe: THREADS,
+            k: directions.numbers(),
+            ..Self::new(&Brdf::Phong { specular, exponent })
         }
     }
 
@@ -268,6 +285,7 @@ impl Finish {
                 BECKMANN => beckmann::lobe_cos(self.alpha, pair),
                 OREN_NAYAR => oren_nayar::lobe_cos(self.second, pair),
                 PHONG => phong::lobe_cos(self.second, pair),
+                THREADS => threads::lobe_cos(self.second, self.k, pair),
                 _ => lanes.all(0.0),
             },
         )
@@ -290,7 +308,7 @@ impl Finish {
         }
     }
 
-    /// The base BRDF that it was made of, but for rounding.
+    /// The base BRDF that it was made of, but for rounding; of threads, which are none, Phong's.
     pub(crate) fn brdf(&self) -> Brdf {
         let (rgb, k) = (self.rgb, self.k);
         let fresnel = match self.colour {
@@ -316,7 +334,7 @@ impl Finish {
                 albedo: over(FRAC_1_PI),
                 roughness: self.second,
             },
-            PHONG => Brdf::Phong {
+            PHONG | THREADS => Brdf::Phong {
                 specular: over(phong::scale(self.second)),
                 exponent: self.second,
             },
@@ -332,7 +350,7 @@ impl Finish {
     }
 
     /// A light for a zone, by two numbers from 0 to 1: microfacets as often as they are seen, Phong's lobe as often as it
-    /// is bright, what is diffuse by the cosine (rough at a grazing view: evenly). Nothing where view or light is below
+    /// is bright, what is diffuse and threads by the cosine (rough at a grazing view: evenly). Nothing where view or light is below
     /// the zone.
     pub(crate) fn sample(&self, u: [f32; 2], normal: Vec3, view: Vec3) -> Option<Vec3> {
         let light = self.sample_all(u, normal, view)?;
@@ -382,6 +400,7 @@ impl Finish {
             || match self.lobe {
                 BECKMANN => beckmann::pdf(self.alpha, pair),
                 PHONG => phong::pdf(self.second, pair),
+                THREADS => if_above(pair.light.z, lambert::pdf(pair.light.z)),
                 OREN_NAYAR => if_above(pair.light.z, oren_nayar::pdf(self.second, pair)),
                 HOSTED_DIFFUSE | HOSTED_GLOSSY => {
                     let own = |lane| hosted::pdf(self.colour, &pair.lane(lane));

@@ -15,6 +15,7 @@ mod metal;
 mod oren_nayar;
 mod pair;
 mod phong;
+mod threads;
 
 pub use facet::Facet;
 pub(crate) use finish::Finish;
@@ -23,6 +24,8 @@ pub use fresnel::Fresnel;
 pub use hosted::{HostBrdf, Hosted};
 pub use metal::Metal;
 pub(crate) use pair::{Local, Pair, Pairs};
+#[cfg(feature = "files")]
+pub(crate) use threads::Directions;
 
 use crate::error::{Result, in_range, rgb_in_range};
 use glam::Vec2;

@@ -15,6 +15,8 @@
     reason = "each function's documentation is the C header's: what pointers must be is said there"
 )]
 
+#[cfg(feature = "files")]
+mod baseline;
 mod brdf;
 mod cross_section;
 #[cfg(feature = "files")]
@@ -39,6 +41,8 @@ mod svg;
 mod tool;
 mod zones;
 
+#[cfg(feature = "files")]
+pub use baseline::*;
 pub use brdf::*;
 pub use cross_section::*;
 #[cfg(feature = "files")]

@@ -413,6 +413,25 @@ pub unsafe extern "C" fn striae_pattern_builder_free(builder: *mut StriaePattern
     }
 }
 
+/// Tells how much memory a pattern takes: all its arrays. Of an opened one the file's, which processes share.
+///
+/// @param pattern the pattern
+/// @param bytes receives it
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_pattern_memory(
+    pattern: *const StriaePattern,
+    bytes: *mut usize,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks.
+        let (pattern, bytes) =
+            unsafe { (borrowed("pattern", pattern)?, exclusive("bytes", bytes)?) };
+        let memory = pattern.0.memory_bytes();
+        *bytes = memory.control_points + memory.rest;
+        Ok(())
+    })
+}
+
 /// Adds a reference. NULL is fine.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn striae_pattern_retain(pattern: *const StriaePattern) {

@@ -233,6 +233,14 @@ impl Pattern {
         }
     }
 
+    /// A scratch's way in (u, v), as cubic Bézier curves from start to end.
+    #[cfg(feature = "files")]
+    pub(crate) fn way(&self, scratch: u32) -> impl Iterator<Item = [DVec2; 4]> {
+        let [first, last] = self.pieces_of(scratch);
+        let curves = self.curves();
+        (first..=last).map(move |piece| curves.control(piece))
+    }
+
     /// A scratch's cross-sections, and how they follow one another along it.
     pub(super) fn strand(&self, scratch: u32) -> Option<(TrackRef<'_>, Course<'_>)> {
         let strand = self.strands.get(scratch as usize)?;

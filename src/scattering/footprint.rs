@@ -50,6 +50,15 @@ impl Weight {
         count: 0,
         window: [0.0; 2],
     };
+
+    /// The same of a scratch that leaves the flat surface beneath it as it is.
+    #[cfg(feature = "files")]
+    pub(crate) fn taking_nothing(self) -> Self {
+        Self {
+            window: [0.0; 2],
+            ..self
+        }
+    }
 }
 
 impl Densities {

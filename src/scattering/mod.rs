@@ -4,6 +4,7 @@
 //! each zone shows of itself, and how much that weighs in the pixel. Each light then costs a pass over the
 //! zones ([`Shading::eval`]). Nothing here allocates, locks or fails.
 
+mod alone;
 mod bounces;
 mod eval;
 mod exchange;
@@ -24,10 +25,13 @@ mod walk;
 mod zones;
 
 pub use crate::lanes::set_simd;
+#[cfg(feature = "files")]
+pub(crate) use alone::Centred;
+pub use alone::CrossFootprint;
 pub use bounces::Bounces;
 pub use eval::Output;
 pub use look::Parameters;
 pub use many::Vectors;
 pub use sample::{Evaluated, Sample};
-pub use shading::{CrossFootprint, Shading};
+pub use shading::Shading;
 pub use zones::SeenZone;

@@ -136,9 +136,9 @@ impl Zones {
         count
     }
 
-    /// The same with a cross-section of its own.
-    pub(crate) fn place_points(&mut self, points: &[[f32; 2]], number: u8) -> usize {
-        for (slot, &[x, z]) in (self.used as usize..).zip(points) {
+    /// The same with a cross-section of its own, and with the number of each facet's finish.
+    pub(crate) fn place_points(&mut self, points: &[[f32; 2]], numbers: &[u8]) -> usize {
+        for (slot, (&[x, z], &number)) in (self.used as usize..).zip(points.iter().zip(numbers)) {
             (self.x[slot], self.z[slot], self.finish[slot]) = (x, z, number);
         }
         points.len()

@@ -2,15 +2,15 @@
 
 use super::flocks::{Flock, Flocks, MOST_FLOCKS};
 use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, MOST_SLOTS, Relief, Zones};
-use crate::brdf::{Brdf, Finish};
-use crate::error::{Error, Result, all_finite, in_range};
+use crate::brdf::Finish;
+use crate::error::{Error, Result, all_finite};
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
     Candidates, Crowd, Frame, Hit, Metric, Pattern, Reach, Region, SurfacePoint, cut, uncut_share,
 };
 use crate::single;
 use arrayvec::ArrayVec;
-use glam::{DVec2, Vec2, Vec3};
+use glam::{DVec2, Vec3};
 
 /// The shift of relief against the plane at a grazing view is followed to this many times its height.
 const LONGEST_PARALLAX: f32 = 20.0;
@@ -28,45 +28,24 @@ const FEW_HITS: usize = 12;
 /// A run that is larger by this share than the first one of the crowd stands alone; in between it does in part.
 const FADE: f64 = 0.3;
 
-/// Points of a cross-section that is shaded by itself.
-const MOST_POINTS: usize = 100;
-
 /// Directions are above the surface from this cosine on: below it, single precision cannot say where relief
 /// is seen against the plane.
 pub(super) const LEAST_COS: f32 = 1e-6;
-
-/// Which part of the surface a pixel covers when a cross-section is shaded by itself.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum CrossFootprint {
-    /// The whole cross-section and so many mm of flat surface on each side, as in the paper's section 4.1.
-    Whole {
-        /// Flat surface on each side, mm, 0 to 1e6. As in the paper, relief that hides or shadows more than
-        /// that is not accounted for: at grazing angles the margin must be wide.
-        margin_mm: f32,
-    },
-    /// A pixel's box filter.
-    Box {
-        /// The pixel's centre, mm to the right of the centre line, -1e6 to 1e6.
-        center_mm: f64,
-        /// How long the footprint's two edges are across the scratch, mm, 0 to 1e6.
-        extents_mm: [f64; 2],
-    },
-}
 
 /// A shading point: plain data of fixed size. Make one per thread and shade into it again and again.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Shading {
-    coverage: f32,
-    scratch_count: u32,
-    relief_count: u32,
+    pub(super) coverage: f32,
+    pub(super) scratch_count: u32,
+    pub(super) relief_count: u32,
     /// 1 if light is followed from zone to zone.
     pub(super) all_bounces: u32,
     /// What all scratches would cover were they not thinned to fill the pixel and no more, at least 1.
     pub(super) crowding: f32,
     /// Zero for a point that reflects nothing.
     pub(super) view: Vec3,
-    reliefs: [Relief; MOST_RELIEFS],
+    pub(super) reliefs: [Relief; MOST_RELIEFS],
     pub(super) flocks: Flocks,
     pub(super) zones: Zones,
 }
@@ -118,52 +97,6 @@ impl Shading {
         footprint
     }
 
-    /// Prepares one cross-section for a view, without a pattern: 2 to 100 points (x, z) in mm, x not descending,
-    /// the first and last at z = 0; the scratch runs along y.
-    pub fn shade_cross_section(
-        &mut self,
-        vertices: &[[f32; 2]],
-        scratched: &Brdf,
-        surface: &Brdf,
-        pixel: CrossFootprint,
-        view: [f32; 3],
-    ) -> Result<()> {
-        self.begin(Finish::new(&surface.check()?), view)?;
-        check_cross_section(vertices)?;
-        let finish = Finish::new(&scratched.check()?);
-        let weight = match pixel {
-            CrossFootprint::Whole { margin_mm } => {
-                in_range("margin_mm", f64::from(margin_mm), 0.0, 1e6)?;
-                let (first, last) = (vertices[0][0], vertices[vertices.len() - 1][0]);
-                let window = [first - margin_mm, last + margin_mm];
-                self.zones.densities.add_uniform(window)
-            }
-            CrossFootprint::Box {
-                center_mm,
-                extents_mm: [a, b],
-            } => {
-                in_range("center_mm", center_mm, -1e6, 1e6)?;
-                in_range("extents_mm", a, 0.0, 1e6)?;
-                in_range("extents_mm", b, 0.0, 1e6)?;
-                let region = Region::parallelogram(DVec2::new(a, 1.0), DVec2::new(b, -1.0));
-                let center_line = DVec2::new(-center_mm, 0.0);
-                let densities = &mut self.zones.densities;
-                densities.add_regions(&[region], center_line, DVec2::X, region.area())
-            }
-        };
-        if let Some(weight) = weight.filter(|_| self.view.z >= LEAST_COS) {
-            let number = self.zones.finish(&finish);
-            let vertices = self.zones.place_points(vertices, number);
-            let prepared = self.zones.prepare(vertices, Vec2::X, weight, self.view);
-            if let Some(relief) = prepared {
-                self.reliefs[0] = relief;
-                self.relief_count = 1;
-            }
-            self.share_out();
-        }
-        Ok(())
-    }
-
     /// How much of what the pixel shows belongs to scratches, 0 to 1.
     pub fn coverage(&self) -> f32 {
         self.coverage
@@ -180,7 +113,7 @@ impl Shading {
         &self.reliefs[..self.relief_count as usize]
     }
 
-    fn begin(&mut self, surface: Finish, view: [f32; 3]) -> Result<()> {
+    pub(super) fn begin(&mut self, surface: Finish, view: [f32; 3]) -> Result<()> {
         self.clear();
         self.zones.set_surface(surface);
         self.view = direction(view).unwrap_or(Vec3::ZERO);
@@ -358,7 +291,7 @@ impl Shading {
     }
 
     /// Where scratches crowd, their shares are scaled to fill the pixel and no more.
-    fn share_out(&mut self) {
+    pub(super) fn share_out(&mut self) {
         let reliefs = &mut self.reliefs[..self.relief_count as usize];
         let shown = |flock: Flock| {
             flock.share * self.zones.seen_width(flock.slots, flock.across, self.view)
@@ -380,24 +313,6 @@ impl Shading {
         // An empty sum is -0.
         self.coverage = (0.0 + all).clamp(0.0, 1.0);
     }
-}
-
-fn check_cross_section(vertices: &[[f32; 2]]) -> Result<()> {
-    if !(2..=MOST_POINTS).contains(&vertices.len()) {
-        return Err(Error::count("vertex_count", vertices.len(), "2 to 100"));
-    }
-    let last = vertices.len() - 1;
-    for (i, &[x, z]) in vertices.iter().enumerate() {
-        let before = if i == 0 { f32::MIN } else { vertices[i - 1][0] };
-        in_range("x", f64::from(x), f64::from(before), f64::from(f32::MAX))
-            .and_then(|_| all_finite("z", &[z]))
-            .map_err(|error| error.within("vertices", i))?;
-    }
-    for i in [0, last] {
-        in_range("z", f64::from(vertices[i][1]), 0.0, 0.0)
-            .map_err(|error| error.within("vertices", i))?;
-    }
-    Ok(())
 }
 
 /// Unit length at any scale; double precision holds where single would overflow, or flush to zero.
