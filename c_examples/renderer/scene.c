@@ -3,22 +3,47 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *scene_names(void) { return "plate"; }
+#include "scenes/scenes.h"
+
+static const struct {
+    const char *name;
+    SceneBuilder *build;
+} scenes[] = {
+    {"plate", scene_plate},
+    {"ring", scene_ring},
+};
+
+enum { SCENE_COUNT = sizeof scenes / sizeof *scenes };
+
+const char *scene_names(void) {
+    static char names[256];
+    names[0] = '\0';
+    for (size_t i = 0; i < SCENE_COUNT; i++) {
+        if (i > 0) strcat(names, ", ");
+        strcat(names, scenes[i].name);
+    }
+    return names;
+}
 
 bool scene_build(Scene *scene, const char *name, char error[SCENE_ERROR_SIZE]) {
     *scene = (Scene){.name = name};
-    error[0] = '\0';
+    snprintf(error, SCENE_ERROR_SIZE, "--scene is \"%s\"; accepted: %s", name, scene_names());
     bool built = false;
-    if (strcmp(name, "plate") == 0) {
-        built = scene_plate(scene, error);
-    } else {
-        snprintf(error, SCENE_ERROR_SIZE, "--scene is \"%s\"; accepted: %s", name, scene_names());
-    }
+    for (size_t i = 0; i < SCENE_COUNT; i++)
+        if (strcmp(name, scenes[i].name) == 0) built = scenes[i].build(scene, error);
     if (!built) scene_free(scene);
     return built;
 }
 
 void scene_free(Scene *scene) {
     for (size_t i = 0; i < scene->mesh_count; i++) mesh_free(&scene->meshes[i]);
-    *scene = (Scene){0};
+    environment_free(&scene->environment);
+    *scene = (Scene){.name = NULL};
+}
+
+Lights scene_lights(const Scene *scene, const struct Camera *camera) {
+    Lights lights = {.count = 0};
+    if (scene->add_lamps) scene->add_lamps(scene, camera, &lights);
+    if (scene->environment.columns) lights.environment = &scene->environment;
+    return lights;
 }

@@ -191,7 +191,7 @@ int main(void) {
     if (!EXPECT(tracer != NULL)) return expect_summary();
     stage = (Stage){.scene = &scene, .view = &scene.views[0], .tracer = tracer};
     stage.camera = camera_for_view(&scene, stage.view, WIDTH, HEIGHT);
-    stage.lights = lights_for_view(&scene, &stage.camera);
+    stage.lights = scene_lights(&scene, &stage.camera);
 
     protects("a fresh thread shades the demo's plate without an allocation");
     in_fresh_thread(shade_view, &shaded);

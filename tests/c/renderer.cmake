@@ -19,7 +19,7 @@ renderer_test(bad_spp 2 "--spp is \"7\"; accepted: a square number from 1 to 102
 renderer_test(bad_threads 2 "--threads is \"0\"; accepted: a whole number from 1 to 256" --threads 0)
 renderer_test(bad_scene 1 "--scene is \"spoon\"; accepted: plate" --scene spoon --out "'${pictures}'")
 renderer_test(no_value 2 "--out needs a value" --out)
-renderer_test(unknown_option 2 "\"--frames\" is not an option" --frames 3)
+renderer_test(unknown_option 2 "\"--spoons\" is not an option" --spoons 3)
 renderer_test(bad_folder 1 "/proc/nowhere: " --out /proc/nowhere)
 
 # What judges the library takes minutes: here it only refuses what it should.

@@ -2,7 +2,7 @@
    cone, each with a smaller force than its neighbour. */
 #include <stdio.h>
 
-#include "scene.h"
+#include "scenes.h"
 
 enum { FACE_NONE, FACE_TOP, FACE_EDGES, FACE_GROUND = FACE_EDGES + 8 };
 enum { SCRATCH_COUNT = 5 };
@@ -133,6 +133,65 @@ static bool ground_mesh(Mesh *mesh) {
     return true;
 }
 
+/* Where a lamp stands: an azimuth from the camera's, an elevation, and a distance from the scene's target. */
+static Vec lamp_place(const Scene *scene, const Camera *camera, double azimuth_deg, double elevation_deg,
+                      double distance) {
+    const Vec to_camera = vec_sub(camera->position, scene->target);
+    const double azimuth = atan2(to_camera.y, to_camera.x) + radians(azimuth_deg),
+                 elevation = radians(elevation_deg);
+    const Vec direction = vec(cos(elevation) * cos(azimuth), cos(elevation) * sin(azimuth), sin(elevation));
+    return vec_along(scene->target, distance, direction);
+}
+
+/* A flash beside the camera, and a dim large soft box across the scene, both of which go where the camera goes. */
+static void add_lamps(const Scene *scene, const Camera *camera, Lights *lights) {
+    const double distance = vec_length(vec_sub(camera->position, scene->target));
+
+    /* A hand's breadth beside the lens. */
+    const Lamp flash = {.centre = vec_along(camera->position, 0.05 * distance, vec_unit(camera->right)),
+                        .towards = scene->target,
+                        .width = 0.02 * distance,
+                        .height = 0.02 * distance,
+                        .columns = 1,
+                        .rows = 1,
+                        .radiance = {3200.0, 3250.0, 3300.0},
+                        .fade = 1.0};
+    lights_add(lights, &flash);
+
+    /* About where a mirror in the plate's place would show it to the camera, so that it gives the metal its sheen. */
+    const Lamp soft_box = {.centre = lamp_place(scene, camera, 200.0, 72.0, distance),
+                           .towards = scene->target,
+                           .width = 0.9 * distance,
+                           .height = 0.6 * distance,
+                           .columns = 5,
+                           .rows = 3,
+                           .radiance = {0.15, 0.18, 0.23},
+                           .fade = 0.1};
+    lights_add(lights, &soft_box);
+
+    /* The room's four walls, far away and dim: what the plate's own sides mirror. */
+    for (int wall = 0; wall < 4; wall++) {
+        const Lamp room = {.centre = lamp_place(scene, camera, 45.0 + 90.0 * wall, 10.0, 3.0 * distance),
+                           .towards = scene->target,
+                           .width = 6.0 * distance,
+                           .height = 2.0 * distance,
+                           .columns = 2,
+                           .rows = 1,
+                           .radiance = {0.05, 0.06, 0.07},
+                           .fade = 1.0};
+        lights_add(lights, &room);
+    }
+}
+
+static View view(const char *name, double heading_deg, double elevation_deg, double roll_deg, double width_deg) {
+    return (View){.name = name,
+                  .heading_deg = heading_deg,
+                  .elevation_deg = elevation_deg,
+                  .roll_deg = roll_deg,
+                  .distance = 14.0,
+                  .width_deg = width_deg};
+}
+
 bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->mm_per_unit = MM_PER_UNIT;
     scene->target = vec(0.0, 0.0, PLATE_MM[2] / MM_PER_UNIT);
@@ -141,10 +200,12 @@ bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     /* Camera and flash go round the plate together. First they look along the scratches, which throw the flash
        aside; then across them and from high up, so that even the weakest is steep enough to throw it back; then
        from the other side and lower, where the weakest is not. */
-    scene->views[0] = (View){"plate-1", -20.0, 66.0, 0.0, 14.0, 29.0};
-    scene->views[1] = (View){"plate-2", 84.0, 71.0, -72.0, 14.0, 29.5};
-    scene->views[2] = (View){"plate-3", -89.0, 65.0, -8.0, 14.0, 27.5};
+    scene->views[0] = view("plate-1", -20.0, 66.0, 0.0, 29.0);
+    scene->views[1] = view("plate-2", 84.0, 71.0, -72.0, 29.5);
+    scene->views[2] = view("plate-3", -89.0, 65.0, -8.0, 27.5);
     scene->view_count = 3;
+    scene->sheet = "contact-sheet";
+    scene->add_lamps = add_lamps;
 
     StriaePattern *pattern = NULL;
     if (scratch_pattern(&pattern) != STRIAE_STATUS_OK) {
