@@ -22,6 +22,20 @@ renderer_test(no_value 2 "--out needs a value" --out)
 renderer_test(unknown_option 2 "\"--spoons\" is not an option" --spoons 3)
 renderer_test(bad_folder 1 "/proc/nowhere: " --out /proc/nowhere)
 
+renderer_test(bad_integrator 2 "--integrator is \"rays\"; accepted: direct, paths" --integrator rays)
+renderer_test(bad_frames 2 "--frames goes to 4; accepted: up to 3" --frames 2-4 --out "'${pictures}'")
+renderer_test(bad_tiles 2 "--tiles is \"7-3\"; accepted: two whole numbers from 0 to 65535, as in 3-7" --tiles 7-3)
+renderer_test(too_many_tiles 2 "--tiles goes to 99; accepted: up to 11" --integrator paths --tiles 0-99 --width 100 --height 70
+  --out "'${pictures}'")
+renderer_test(direct_tiles 2 "accepted with --integrator paths only" --tiles 0-1 --out "'${pictures}'")
+renderer_test(bad_environment 1 "/proc/nowhere.exr: " --integrator paths --environment /proc/nowhere.exr --out "'${pictures}'")
+
+# What paths find, and that a split picture is the whole one.
+striae_c_test(paths paths.c LIBRARIES striae_renderer striae::striae)
+add_test(NAME renderer_split COMMAND "${CMAKE_COMMAND}" "-DCOMMAND=$<TARGET_FILE:striae_render>"
+  "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/split" -P "${CMAKE_CURRENT_SOURCE_DIR}/split.cmake")
+striae_test_settings(renderer_split)
+
 # What judges the library takes minutes: here it only refuses what it should.
 add_test(NAME compare_bad_samples COMMAND "${CMAKE_COMMAND}" "-DCOMMAND=$<TARGET_FILE:striae_compare>"
   "-DARGUMENTS=nowhere 1" -DEXIT_CODE=2 "-DOUTPUT=SAMPLES is \"1\"; accepted: a whole number from 2 to 1000000"

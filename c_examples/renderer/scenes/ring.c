@@ -10,7 +10,7 @@ enum { FACE_RING = 1, ROUND = 256, PROFILE = 48, STROKE_KEYS = 9 };
 
 /* "What is written remains." */
 static const char INSCRIPTION[] = "SCRIPTA MANENT";
-static const double LETTER_MM = 3.1;
+static const double LETTER_MM = 1.95;
 
 static const double RADIUS_MM = 10.2, HALF_THICK_MM = 0.95, HALF_WIDE_MM = 3.1;
 
@@ -165,7 +165,7 @@ static StriaeStatus ring_pattern(const Mesh *mesh, StriaePattern **pattern) {
                                     (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, &surface);
     free(positions);
     if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_new(&gold, &options, &builder);
-    if (getenv("WEAR") && status == STRIAE_STATUS_OK) status = wear(builder);
+    if (status == STRIAE_STATUS_OK) status = wear(builder);
     if (status == STRIAE_STATUS_OK) status = inscribe(graver, surface, builder);
     if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_build(builder, pattern);
     striae_pattern_builder_free(builder);
@@ -174,20 +174,20 @@ static StriaeStatus ring_pattern(const Mesh *mesh, StriaePattern **pattern) {
     return status;
 }
 
-/* A dim room, lighter towards one side, over a dark floor. */
-static void room(Vec direction, double radiance[3]) {
-    static const double warm[3] = {0.50, 0.46, 0.42}, cool[3] = {0.20, 0.26, 0.36};
-    const double up = 0.5 + 0.5 * direction.z, side = 0.5 + 0.5 * direction.y;
-    for (int c = 0; c < 3; c++)
-        radiance[c] = up * up * (0.12 + 0.55 * side * side * warm[c] + 0.35 * (1.0 - side) * cool[c]);
+/* A tent of white cloth, as jewellery is photographed in: bright above, dark below and behind the camera. */
+static void tent(Vec direction, double radiance[3]) {
+    static const double cloth[3] = {1.0, 0.93, 0.84};
+    const double up = fmax(0.0, direction.z), away = 0.5 - 0.5 * direction.x;
+    const double light = 0.03 + 0.75 * up * up * (0.35 + 0.65 * away);
+    for (int c = 0; c < 3; c++) radiance[c] = light * cloth[c];
 }
 
 static void add_lamps(const Scene *scene, const Camera *camera, Lights *lights) {
-    static const double key[3] = {7.0, 6.7, 6.2}, rim[3] = {4.0, 4.3, 4.8}, front[3] = {1.6, 1.55, 1.5};
+    static const double above[3] = {2.6, 2.45, 2.2}, left[3] = {2.4, 2.3, 2.15}, right[3] = {1.1, 1.15, 1.25};
     (void)camera;
-    prop_soft_box(lights, scene->target, 75.0, 55.0, 60.0, 40.0, 22.0, key);
-    prop_soft_box(lights, scene->target, 215.0, 25.0, 60.0, 16.0, 44.0, rim);
-    prop_soft_box(lights, scene->target, -48.0, 20.0, 60.0, 14.0, 40.0, front);
+    prop_soft_box(lights, scene->target, 150.0, 62.0, 70.0, 80.0, 40.0, above);
+    prop_soft_box(lights, scene->target, -62.0, 24.0, 60.0, 34.0, 60.0, left);
+    prop_soft_box(lights, scene->target, 78.0, 18.0, 60.0, 16.0, 50.0, right);
 }
 
 bool scene_ring(Scene *scene, char error[SCENE_ERROR_SIZE]) {
@@ -196,13 +196,14 @@ bool scene_ring(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->target = vec(0.0, 0.0, HALF_WIDE_MM);
     scene->exposure = 1.0;
     scene->paths = 64;
+    scene->most_indirect = 1.5;
     scene->add_lamps = add_lamps;
     scene->views[0] = (View){.name = "figure-13",
                              .heading_deg = -4.0,
-                             .elevation_deg = 24.0,
+                             .elevation_deg = 27.0,
                              .distance = 75.0,
-                             .width_deg = 23.0,
-                             .aside = {3.0, 0.0, -0.2},
+                             .width_deg = 22.0,
+                             .aside = {2.5, 0.0, -0.5},
                              .lens_radius = 0.9};
     scene->view_count = 1;
     scene->mesh_count = 2;
@@ -210,7 +211,7 @@ bool scene_ring(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     const Profile profile = make_profile();
     Mesh *ring = &scene->meshes[0], *table = &scene->meshes[1];
     if (!mesh_init_grid(ring, FACE_RING, ROUND, PROFILE, ring_place, &profile) || !prop_table(table, 400.0, 0.0) ||
-        !environment_paint(&scene->environment, 128, room))
+        !environment_paint(&scene->environment, 128, tent))
         return false;
     StriaePattern *pattern = NULL;
     if (ring_pattern(ring, &pattern) != STRIAE_STATUS_OK) return prop_refused(error);
