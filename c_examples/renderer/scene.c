@@ -10,6 +10,9 @@ static const struct {
     SceneBuilder *build;
 } scenes[] = {
     {"plate", scene_plate},
+    {"crossing", scene_crossing},
+    {"aluminium", scene_aluminium},
+    {"car", scene_car},
     {"ring", scene_ring},
 };
 

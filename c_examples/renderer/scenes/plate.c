@@ -2,14 +2,14 @@
    cone, each with a smaller force than its neighbour. */
 #include <stdio.h>
 
+#include "props.h"
 #include "scenes.h"
+#include "slab.h"
 
-enum { FACE_NONE, FACE_TOP, FACE_EDGES, FACE_GROUND = FACE_EDGES + 8 };
 enum { SCRATCH_COUNT = 5 };
 
 static const double MM_PER_UNIT = 10.0;
 static const double PLATE_MM[3] = {60.0, 40.0, 3.0};
-static const double BEVEL_MM = 0.5;
 
 /* The range of loads of the paper's tests, in equal steps. */
 static const double FORCE_KGF[SCRATCH_COUNT] = {4.0, 3.125, 2.25, 1.375, 0.5};
@@ -62,75 +62,6 @@ static StriaeStatus scratch_pattern(StriaePattern **pattern) {
     striae_pattern_builder_free(builder);
     striae_tool_release(tool);
     return status;
-}
-
-/* Texture coordinates of the plate unfolded like a carton: the top, around it the bevels, around those the
-   sides, all to the top's scale, so that (0,0)-(1,1) is the plate seen from above. */
-static void unfold(Vec corner, double unfolded_mm, int side, double uv[2]) {
-    const double along[2] = {corner.x * MM_PER_UNIT, corner.y * MM_PER_UNIT};
-    const double sign = side < 2 ? 1.0 : -1.0;
-    for (int axis = 0; axis < 2; axis++) {
-        const double mm = axis == side % 2 ? sign * unfolded_mm : along[axis];
-        uv[axis] = 0.5 + mm / PLATE_MM[axis];
-    }
-}
-
-/* The strip on one side (0: +x, 1: +y, 2: -x, 3: -y) between two rectangles, each given by its half sizes and
-   height and by how far its border lies from the middle of the unfolded plate. */
-typedef struct Ring {
-    double half_mm[2], z_mm, unfolded_mm[2];
-} Ring;
-
-static Vec ring_corner(const Ring *ring, double sign_x, double sign_y) {
-    return vec(sign_x * ring->half_mm[0] / MM_PER_UNIT, sign_y * ring->half_mm[1] / MM_PER_UNIT,
-               ring->z_mm / MM_PER_UNIT);
-}
-
-static void add_strip(Mesh *mesh, unsigned face, const Ring *inner, const Ring *outer, int side) {
-    static const double signs[4][2][2] = {
-        {{1, -1}, {1, 1}}, {{1, 1}, {-1, 1}}, {{-1, 1}, {-1, -1}}, {{-1, -1}, {1, -1}}};
-    const double (*s)[2] = signs[side];
-    const Vec corners[4] = {ring_corner(outer, s[0][0], s[0][1]), ring_corner(outer, s[1][0], s[1][1]),
-                            ring_corner(inner, s[1][0], s[1][1]), ring_corner(inner, s[0][0], s[0][1])};
-    double uv[4][2];
-    for (int i = 0; i < 4; i++) unfold(corners[i], (i < 2 ? outer : inner)->unfolded_mm[side % 2], side, uv[i]);
-    mesh_add_quad(mesh, face, corners, uv);
-}
-
-static bool plate_mesh(Mesh *mesh) {
-    if (!mesh_init(mesh, 9)) return false;
-    const double hx = PLATE_MM[0] / 2, hy = PLATE_MM[1] / 2, top = PLATE_MM[2], b = BEVEL_MM, slope = b * sqrt(2.0);
-    const double wall = top - b;
-    const Ring face = {{hx - b, hy - b}, top, {hx - b, hy - b}};
-    const Ring rim = {{hx, hy}, top - b, {hx - b + slope, hy - b + slope}};
-    const Ring foot = {{hx, hy}, 0.0, {hx - b + slope + wall, hy - b + slope + wall}};
-
-    const Vec corners[4] = {ring_corner(&face, -1, -1), ring_corner(&face, 1, -1), ring_corner(&face, 1, 1),
-                            ring_corner(&face, -1, 1)};
-    double uv[4][2];
-    for (int i = 0; i < 4; i++) {
-        uv[i][0] = 0.5 + corners[i].x * MM_PER_UNIT / PLATE_MM[0];
-        uv[i][1] = 0.5 + corners[i].y * MM_PER_UNIT / PLATE_MM[1];
-    }
-    mesh_add_quad(mesh, FACE_TOP, corners, uv);
-    for (int side = 0; side < 4; side++) {
-        add_strip(mesh, FACE_EDGES + (unsigned)side, &face, &rim, side);
-        add_strip(mesh, FACE_EDGES + 4 + (unsigned)side, &rim, &foot, side);
-    }
-    return true;
-}
-
-/* The dark table top that the plate lies on. */
-static bool ground_mesh(Mesh *mesh) {
-    if (!mesh_init(mesh, 1)) return false;
-    const double h = 400.0;
-    const Vec corners[4] = {vec(-h, -h, 0), vec(h, -h, 0), vec(h, h, 0), vec(-h, h, 0)};
-    double uv[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    mesh_add_quad(mesh, FACE_GROUND, corners, uv);
-    mesh->albedo[0] = 0.030;
-    mesh->albedo[1] = 0.032;
-    mesh->albedo[2] = 0.036;
-    return true;
 }
 
 /* Where a lamp stands: an azimuth from the camera's, an elevation, and a distance from the scene's target. */
@@ -195,7 +126,7 @@ static View view(const char *name, double heading_deg, double elevation_deg, dou
 bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->mm_per_unit = MM_PER_UNIT;
     scene->target = vec(0.0, 0.0, PLATE_MM[2] / MM_PER_UNIT);
-    scene->judged_face = FACE_TOP;
+    scene->judged_face = SLAB_TOP;
     scene->exposure = 1.3;
     /* Camera and flash go round the plate together. First they look along the scratches, which throw the flash
        aside; then across them and from high up, so that even the weakest is steep enough to throw it back; then
@@ -213,8 +144,12 @@ bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
         return false;
     }
     scene->mesh_count = 2;
-    const bool built = plate_mesh(&scene->meshes[0]) && ground_mesh(&scene->meshes[1]);
+    const Slab plate = {{PLATE_MM[0], PLATE_MM[1], PLATE_MM[2]}, 0.5, MM_PER_UNIT};
+    Mesh *ground = &scene->meshes[1];
+    const bool built = slab_mesh(&scene->meshes[0], &plate) && prop_table(ground, 400.0, 0.0);
     scene->meshes[0].pattern = pattern;
+    const double dark[3] = {0.030, 0.032, 0.036};
+    for (int c = 0; c < 3; c++) ground->albedo[c] = dark[c];
     if (!built) snprintf(error, SCENE_ERROR_SIZE, "out of memory");
     return built;
 }

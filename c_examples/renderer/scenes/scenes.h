@@ -4,5 +4,5 @@
 #include "camera.h"
 
 typedef bool SceneBuilder(Scene *scene, char error[SCENE_ERROR_SIZE]);
-SceneBuilder scene_plate, scene_crossing, scene_end, scene_aluminium, scene_car, scene_ring;
+SceneBuilder scene_plate, scene_crossing, scene_aluminium, scene_car, scene_ring;
 #endif
