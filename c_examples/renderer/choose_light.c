@@ -21,7 +21,8 @@ static Chances chances_at(const Lights *lights, Vec from) {
         const double most = i < lights->count ? 2.0 * PI * sum(lights->patches[i].radiance) : HUGE_VAL;
         total += chances.chance[i] = fmin(sum(irradiance), most);
     }
-    if (lights->environment) total += chances.chance[chances.count++] = 3.0 * PI * lights->environment->mean_radiance;
+    if (lights->environment)
+        total += chances.chance[chances.count++] = 3.0 * PI * lights->environment->mean_radiance;
     for (size_t i = 0; i < chances.count; i++) chances.chance[i] = total > 0.0 ? chances.chance[i] / total : 0.0;
     return chances;
 }
@@ -41,7 +42,8 @@ static bool choose_patch(const Patch *patch, Vec from, const double u[2], double
     return true;
 }
 
-static bool choose_environment(const Environment *environment, const double u[2], double chance, ChosenLight *chosen) {
+static bool choose_environment(const Environment *environment, const double u[2], double chance,
+                               ChosenLight *chosen) {
     chosen->direction = environment_sample(environment, u);
     chosen->distance = HUGE_VAL;
     chosen->pdf = chance * environment_pdf(environment, chosen->direction);

@@ -36,7 +36,8 @@ static void mean_of_all(Environment *environment) {
     environment->mean_radiance = 0.0;
     for (int y = 0; y < map->height; y++)
         for (int x = 0; x < map->width; x++)
-            environment->mean_radiance += luminance(texel(environment, x, y)) * row_share(environment, y) / map->width;
+            environment->mean_radiance +=
+                luminance(texel(environment, x, y)) * row_share(environment, y) / map->width;
 }
 
 bool environment_init(Environment *environment, Film *map) {
@@ -109,8 +110,10 @@ static int find_share(const double *sums, int count, double u, double *within) {
     int low = 0, high = count - 1;
     while (low < high) {
         const int middle = (low + high) / 2;
-        if (sums[middle] > u) high = middle;
-        else low = middle + 1;
+        if (sums[middle] > u)
+            high = middle;
+        else
+            low = middle + 1;
     }
     const double before = low > 0 ? sums[low - 1] : 0.0;
     *within = (u - before) / (sums[low] - before);
@@ -131,7 +134,8 @@ Vec environment_sample(const Environment *environment, const double u[2]) {
 double environment_pdf(const Environment *environment, Vec direction) {
     double x, y;
     place_of(environment, direction, &x, &y);
-    const int column = clamp_int((int)x, environment->map.width - 1), row = clamp_int((int)y, environment->map.height - 1);
+    const int column = clamp_int((int)x, environment->map.width - 1),
+              row = clamp_int((int)y, environment->map.height - 1);
     const double *columns = &environment->columns[(size_t)row * (size_t)environment->map.width];
     const double in_row = columns[column] - (column > 0 ? columns[column - 1] : 0.0);
     const double of_row = environment->rows[row] - (row > 0 ? environment->rows[row - 1] : 0.0);

@@ -44,7 +44,8 @@ static exr_result_t write_chunk(exr_context_t file, exr_encode_pipeline_t *encod
     exr_chunk_info_t chunk;
     exr_result_t result = exr_write_scanline_chunk_info(file, 0, y, &chunk);
     if (result != EXR_ERR_SUCCESS) return result;
-    result = y == 0 ? exr_encoding_initialize(file, 0, &chunk, encoder) : exr_encoding_update(file, 0, &chunk, encoder);
+    result =
+        y == 0 ? exr_encoding_initialize(file, 0, &chunk, encoder) : exr_encoding_update(file, 0, &chunk, encoder);
     if (result != EXR_ERR_SUCCESS) return result;
     for (int i = 0; i < encoder->channel_count; i++)
         point_channel(&encoder->channels[i], find_channel(channels, count, encoder->channels[i].channel_name), y);
@@ -76,12 +77,13 @@ const char *exr_write(const char *path, int width, int height, const ExrChannel 
     return exr_get_default_error_message(result);
 }
 
-static exr_result_t read_chunk(exr_context_t file, exr_decode_pipeline_t *decoder, const ExrChannel *channels, int count,
-                               int top, int y) {
+static exr_result_t read_chunk(exr_context_t file, exr_decode_pipeline_t *decoder, const ExrChannel *channels,
+                               int count, int top, int y) {
     exr_chunk_info_t chunk;
     exr_result_t result = exr_read_scanline_chunk_info(file, 0, top + y, &chunk);
     if (result != EXR_ERR_SUCCESS) return result;
-    result = y == 0 ? exr_decoding_initialize(file, 0, &chunk, decoder) : exr_decoding_update(file, 0, &chunk, decoder);
+    result =
+        y == 0 ? exr_decoding_initialize(file, 0, &chunk, decoder) : exr_decoding_update(file, 0, &chunk, decoder);
     if (result != EXR_ERR_SUCCESS) return result;
     int found = 0;
     for (int i = 0; i < decoder->channel_count; i++) {

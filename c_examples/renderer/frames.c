@@ -20,7 +20,8 @@ static bool plan_samples(FrameJob *job, const Options *options) {
     }
     while (job->samples_across * job->samples_across < job->samples) job->samples_across++;
     if (job->samples_across * job->samples_across == job->samples && job->samples <= 1024) return true;
-    fprintf(stderr, "--spp is \"%d\"; accepted: a square number from 1 to 1024 (1, 4, 9, 16, ...), or --integrator paths\n",
+    fprintf(stderr,
+            "--spp is \"%d\"; accepted: a square number from 1 to 1024 (1, 4, 9, 16, ...), or --integrator paths\n",
             job->samples);
     return false;
 }
@@ -61,7 +62,8 @@ static bool render_direct(FrameJob *job, const Stage *stage, LabelMap *labels, F
 }
 
 /* All that is lacking, or of it a range of tiles into a file of their own. */
-static bool render_paths(const FrameJob *job, const Stage *stage, const LabelMap *labels, Picture *picture, Film *film) {
+static bool render_paths(const FrameJob *job, const Stage *stage, const LabelMap *labels, Picture *picture,
+                         Film *film) {
     const Options *options = job->options;
     const char *name = stage->view->name;
     OutputPath kept;
@@ -71,6 +73,7 @@ static bool render_paths(const FrameJob *job, const Stage *stage, const LabelMap
     if (!output_path(kept, options->out, name, ending)) return false;
     if (options->resume && !output_take_parts(picture, options->out, name, job->samples)) return false;
     const DrawSettings settings = {.paths = {.samples = job->samples,
+                                             .looks = 4,
                                              .reflections = options->reflections,
                                              .most_indirect = job->scene->most_indirect},
                                    .threads = options->threads,
@@ -108,7 +111,8 @@ bool frames_render(FrameJob *job, const View *view, Film *film) {
         if (!label_map_init(labels, options->width, options->height)) return complain(view->name, "out of memory");
         label_map_render(labels, &stage, options->threads);
     }
-    const bool done = job->by_paths ? render_by_paths(job, &stage, labels, film) : render_direct(job, &stage, labels, film);
+    const bool done =
+        job->by_paths ? render_by_paths(job, &stage, labels, film) : render_direct(job, &stage, labels, film);
     label_map_free(&map);
     return done;
 }

@@ -10,9 +10,9 @@ typedef struct FrameJob {
     const Options *options;
     Environment environment; /* empty: the scene's own */
     bool by_paths;
-    int samples;         /* per pixel */
-    int samples_across;  /* their square root, where not by paths */
-    double worst_rms;    /* of all views that were checked */
+    int samples;        /* per pixel */
+    int samples_across; /* their square root, where not by paths */
+    double worst_rms;   /* of all views that were checked */
 } FrameJob;
 
 /* Sees that the options go together and with the scene; explains on stderr what does not. */

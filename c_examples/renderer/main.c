@@ -36,7 +36,8 @@ static bool render_all(FrameJob *job, Film *films) {
     printf("pictures in %s, each with an .exr beside it:", options->out);
     for (size_t i = first; i < past && all_tiles; i++) printf(" %s.png", scene->views[i].name);
     printf(" %s%s\n", sheet ? scene->sheet : all_tiles ? "" : "none yet, but tiles", sheet ? ".png" : "");
-    if (options->check) printf("worst view: RMS %.3f %%, limit %.0f %%\n", 100.0 * job->worst_rms, 100.0 * CHECK_LIMIT);
+    if (options->check)
+        printf("worst view: RMS %.3f %%, limit %.0f %%\n", 100.0 * job->worst_rms, 100.0 * CHECK_LIMIT);
     return job->worst_rms <= CHECK_LIMIT;
 }
 

@@ -21,7 +21,7 @@ static void print_help(void) {
            "                   scene\n"
            "  --spp N          samples per pixel, 1 to 65536; of direct ones a square number (default: as suits the scene,\n"
            "                   1 of direct ones)\n"
-           "  --reflections N  that a path may have, 1 to 64 (default 6)\n"
+           "  --reflections N  that a path may have, 1 to 64 (paths; default 4)\n"
            "  --walls          light also goes from wall to wall within scratches\n"
            "  --environment F  an EXR file of all directions in place of the scene's surroundings (paths)\n"
            "  --threads N      1 to 256 (default: as many as there are cores)\n"
@@ -129,7 +129,7 @@ OptionsOutcome options_parse(int argc, char **argv, Options *options) {
                          .out = "out",
                          .width = 960,
                          .height = 540,
-                         .reflections = 6,
+                         .reflections = 4,
                          .last_tile = -1,
                          .threads = tiles_default_threads()};
     for (int i = 1; i < argc; i++) {

@@ -23,7 +23,8 @@ static bool write_png(const Film *film, const char *folder, const char *name, do
 static bool write_labels(const LabelMap *labels, const char *folder, const char *name) {
     OutputPath path;
     return output_path(path, folder, name, "-id.png") && is_written(label_map_write_ids(labels, path), path) &&
-           output_path(path, folder, name, "-coverage.png") && is_written(label_map_write_coverage(labels, path), path);
+           output_path(path, folder, name, "-coverage.png") &&
+           is_written(label_map_write_coverage(labels, path), path);
 }
 
 bool output_film(const Film *film, const LabelMap *labels, const char *folder, const char *name, double exposure) {
@@ -33,16 +34,20 @@ bool output_film(const Film *film, const LabelMap *labels, const char *folder, c
     film_channels(film, channels);
     if (labels) label_map_channels(labels, channels + RGB);
     return output_path(path, folder, name, ".exr") &&
-           is_written(exr_write(path, film->width, film->height, channels, RGB + (labels ? LABEL_CHANNELS : 0)), path) &&
+           is_written(exr_write(path, film->width, film->height, channels, RGB + (labels ? LABEL_CHANNELS : 0)),
+                      path) &&
            write_png(film, folder, name, exposure) && (!labels || write_labels(labels, folder, name));
 }
 
-bool output_picture(const Picture *picture, const LabelMap *labels, const char *folder, const char *name, double exposure) {
+bool output_picture(const Picture *picture, const LabelMap *labels, const char *folder, const char *name,
+                    double exposure) {
     OutputPath path;
     Film film;
-    if (!output_path(path, folder, name, ".exr") || !is_written(picture_write(picture, labels, path), path)) return false;
+    if (!output_path(path, folder, name, ".exr") || !is_written(picture_write(picture, labels, path), path))
+        return false;
     if (!picture_film(picture, &film)) return complain(name, "out of memory");
-    const bool written = write_png(&film, folder, name, exposure) && (!labels || write_labels(labels, folder, name));
+    const bool written =
+        write_png(&film, folder, name, exposure) && (!labels || write_labels(labels, folder, name));
     film_free(&film);
     return written;
 }

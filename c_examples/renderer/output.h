@@ -14,7 +14,8 @@ bool output_path(OutputPath path, const char *folder, const char *name, const ch
 
 /* `labels` may be NULL. */
 bool output_film(const Film *film, const LabelMap *labels, const char *folder, const char *name, double exposure);
-bool output_picture(const Picture *picture, const LabelMap *labels, const char *folder, const char *name, double exposure);
+bool output_picture(const Picture *picture, const LabelMap *labels, const char *folder, const char *name,
+                    double exposure);
 
 /* Takes over what the folder has of NAME.exr and NAME.tiles-*.exr. */
 bool output_take_parts(Picture *picture, const char *folder, const char *name, int samples);

@@ -32,35 +32,47 @@ static double shared(double pdf, double other) {
     return 1.0 / (1.0 + ratio * ratio);
 }
 
+/* How often light is looked for after so many reflections. */
+static int looks(const Path *path, int reflections) { return reflections == 0 ? path->settings->looks : 1; }
+
 /* A light that the path ran into by itself. */
 static void light_met(const double radiance[3], double pdf, void *user) {
     Path *path = user;
     double share = 1.0;
     if (path->reflections > 0) {
-        if (path->settings->strategy == PATHS_SHARED) share = shared(path->pdf, pdf);
+        if (path->settings->strategy == PATHS_SHARED)
+            share = shared(path->pdf, looks(path, path->reflections - 1) * pdf);
         if (path->settings->strategy == PATHS_BY_LIGHTS) share = 0.0;
     }
     add(path, radiance, share, path->reflections);
 }
 
-/* A light looked for from where the path has come to. */
-static void look_for_light(Path *path, const Surface *surface, const Reflector *reflector) {
-    double which[2], u[2], f[3], pdf;
+static bool is_hidden(const Path *path, const Surface *surface, const ChosenLight *light) {
+    const Tracer *tracer = path->stage->tracer;
+    if (light->distance == HUGE_VAL) return trace_meets(tracer, trace_off(surface), light->direction);
+    return trace_blocked(tracer, surface, vec_along(surface->position, light->distance, light->direction));
+}
+
+/* A light looked for from where the path has come to, one of so many. */
+static void look_once(Path *path, const Surface *surface, const Reflector *reflector, double which, int count) {
+    double u[2], f[3], pdf;
     ChosenLight chosen;
-    sampler_next(&path->sampler, which);
     sampler_next(&path->sampler, u);
-    if (!choose_light(&path->stage->lights, surface->position, which[0], u, &chosen)) return;
+    if (!choose_light(&path->stage->lights, surface->position, which, u, &chosen)) return;
     if (path->settings->strategy == PATHS_BY_SURFACES && chosen.pdf > 0.0) return;
     reflect_eval(reflector, chosen.direction, f, &pdf);
-    if (!(f[0] + f[1] + f[2] > 0.0)) return;
-    const Tracer *tracer = path->stage->tracer;
-    const bool hidden = chosen.distance < HUGE_VAL
-                            ? trace_blocked(tracer, surface, vec_along(surface->position, chosen.distance, chosen.direction))
-                            : trace_meets(tracer, trace_off(surface), chosen.direction);
-    if (hidden) return;
-    for (int c = 0; c < 3; c++) f[c] *= chosen.value[c];
+    if (!(f[0] + f[1] + f[2] > 0.0) || is_hidden(path, surface, &chosen)) return;
+    for (int c = 0; c < 3; c++) f[c] *= chosen.value[c] / count;
     const bool both = chosen.pdf > 0.0 && path->settings->strategy == PATHS_SHARED;
-    add(path, f, both ? shared(chosen.pdf, pdf) : 1.0, path->reflections + 1);
+    add(path, f, both ? shared(count * chosen.pdf, pdf) : 1.0, path->reflections + 1);
+}
+
+/* Looks follow each other at even steps through all lights. */
+static void look_for_light(Path *path, const Surface *surface, const Reflector *reflector) {
+    const int count = looks(path, path->reflections);
+    double which[2];
+    sampler_next(&path->sampler, which);
+    for (int i = 0; i < count; i++) look_once(path, surface, reflector, (i + which[0]) / count, count);
 }
 
 /* False where the path ends. */
@@ -99,7 +111,8 @@ static bool step(Path *path) {
         path->found.normal = surface.normal;
         path->found.distance = distance;
     }
-    if (path->reflections == path->settings->reflections || vec_dot(direction, surface.geometric) >= 0.0) return false;
+    if (path->reflections == path->settings->reflections || vec_dot(direction, surface.geometric) >= 0.0)
+        return false;
     Reflector reflector;
     reflect_prepare(&reflector, &surface, &path->ray, stage->bounces);
     look_for_light(path, &surface, &reflector);
@@ -107,10 +120,8 @@ static bool step(Path *path) {
 }
 
 PathLight path_follow(const Stage *stage, const PathSettings *settings, int x, int y, uint32_t index) {
-    Path path = {.stage = stage,
-                 .settings = settings,
-                 .sampler = sampler_start(x, y, index),
-                 .weight = {1.0, 1.0, 1.0}};
+    Path path = {
+        .stage = stage, .settings = settings, .sampler = sampler_start(x, y, index), .weight = {1.0, 1.0, 1.0}};
     double place[2], lens[2];
     sampler_next(&path.sampler, place);
     sampler_next(&path.sampler, lens);

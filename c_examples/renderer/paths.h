@@ -10,7 +10,8 @@
 typedef enum PathStrategy { PATHS_SHARED, PATHS_BY_LIGHTS, PATHS_BY_SURFACES } PathStrategy;
 
 typedef struct PathSettings {
-    int samples;     /* paths per pixel */
+    int samples; /* paths per pixel */
+    int looks;   /* for light from what the camera sees, 1 or more: each for another of the lights that matter */
     int reflections; /* that a path may have, 1 or more: 1 is light straight from the lamps */
     /* Most that a path may bring by more than one reflection, in the film's radiance: what exceeds it are a few bright dots,
        which is all that chance leaves of light thrown by a polished thing onto another. 0: no bound, and no bias. */

@@ -41,8 +41,9 @@ size_t picture_lacking(const Picture *picture) {
 
 static void channels_of(const Picture *picture, ExrChannel channels[PICTURE_CHANNELS]) {
     for (int c = 0; c < PICTURE_CHANNELS; c++)
-        channels[c] = (ExrChannel){picture_channels[c].name, (float *)((char *)picture->pixels + picture_channels[c].offset),
-                                   sizeof *picture->pixels, (size_t)picture->width * sizeof *picture->pixels};
+        channels[c] =
+            (ExrChannel){picture_channels[c].name, (float *)((char *)picture->pixels + picture_channels[c].offset),
+                         sizeof *picture->pixels, (size_t)picture->width * sizeof *picture->pixels};
 }
 
 static const char *merge(Picture *picture, const Picture *part, int samples) {
@@ -60,7 +61,8 @@ const char *picture_take(Picture *picture, const char *path, int samples) {
     Picture part;
     const char *failure = exr_size(path, &width, &height);
     if (failure) return failure;
-    if (width != picture->width || height != picture->height) return "has another size than --width and --height say";
+    if (width != picture->width || height != picture->height)
+        return "has another size than --width and --height say";
     if (!picture_init(&part, width, height)) return "out of memory";
     channels_of(&part, channels);
     failure = exr_read(path, channels, PICTURE_CHANNELS);
@@ -73,11 +75,13 @@ const char *picture_write(const Picture *picture, const LabelMap *labels, const 
     ExrChannel channels[PICTURE_CHANNELS + LABEL_CHANNELS];
     channels_of(picture, channels);
     if (labels) label_map_channels(labels, channels + PICTURE_CHANNELS);
-    return exr_write(path, picture->width, picture->height, channels, PICTURE_CHANNELS + (labels ? LABEL_CHANNELS : 0));
+    return exr_write(path, picture->width, picture->height, channels,
+                     PICTURE_CHANNELS + (labels ? LABEL_CHANNELS : 0));
 }
 
 bool picture_film(const Picture *picture, Film *film) {
     if (!film_init(film, picture->width, picture->height)) return false;
-    for (size_t i = 0; i < pixel_count(picture); i++) memcpy(film->rgb[i], picture->pixels[i].rgb, sizeof film->rgb[i]);
+    for (size_t i = 0; i < pixel_count(picture); i++)
+        memcpy(film->rgb[i], picture->pixels[i].rgb, sizeof film->rgb[i]);
     return true;
 }

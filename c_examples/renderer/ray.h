@@ -4,8 +4,8 @@
 #include "mesh.h"
 
 typedef struct Ray {
-    Vec origin, direction;                 /* unit */
-    Vec origin_by[2], direction_by[2];     /* what changes from one sample to the next, across and down */
+    Vec origin, direction;             /* unit */
+    Vec origin_by[2], direction_by[2]; /* what changes from one sample to the next, across and down */
 } Ray;
 
 /* How the place where a ray meets a surface changes, on the surface's tangent plane; false where it all but grazes it. */

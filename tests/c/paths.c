@@ -29,8 +29,8 @@ static void ball_place(double u, double v, const void *user, Vec *position, Vec 
 static bool room_init(Room *room, MeshPlace *place, StriaePattern *pattern, double albedo, double width_deg) {
     static char error[SCENE_ERROR_SIZE];
     *room = (Room){.scene = {.name = "room", .mesh_count = 1, .view_count = 1}};
-    room->scene.views[0] =
-        (View){.name = "from above", .heading_deg = -90.0, .elevation_deg = 60.0, .distance = 5.0, .width_deg = width_deg};
+    room->scene.views[0] = (View){
+        .name = "from above", .heading_deg = -90.0, .elevation_deg = 60.0, .distance = 5.0, .width_deg = width_deg};
     if (!EXPECT(mesh_init_grid(&room->scene.meshes[0], 1, 64, 32, place, NULL))) return false;
     room->scene.meshes[0].pattern = pattern;
     for (int c = 0; c < 3; c++) room->scene.meshes[0].albedo[c] = albedo;
@@ -51,7 +51,8 @@ typedef struct Pixels {
 } Pixels;
 
 static Pixels draw(const Stage *stage, int samples, int reflections, PathStrategy strategy) {
-    const PathSettings settings = {.samples = samples, .reflections = reflections, .strategy = strategy};
+    const PathSettings settings = {
+        .samples = samples, .looks = 3, .reflections = reflections, .strategy = strategy};
     Pixels pixels = {{0.0}};
     for (int pixel = 0; pixel < ACROSS * ACROSS; pixel++) {
         for (int i = 0; i < samples; i++) {
@@ -138,8 +139,8 @@ static void lopsided(Vec direction, double radiance[3]) {
     for (int c = 0; c < 3; c++) radiance[c] = 0.2 + up * up + spot * up;
 }
 
-static void expect_furnace(const char *what, MeshPlace *place, StriaePattern *pattern, uint32_t bounces, double least,
-                           double most) {
+static void expect_furnace(const char *what, MeshPlace *place, StriaePattern *pattern, uint32_t bounces,
+                           double least, double most) {
     Room room;
     Environment environment;
     if (!EXPECT(environment_paint(&environment, 16, white)) || !room_init(&room, place, pattern, 1.0, 12.0)) return;
@@ -175,18 +176,24 @@ static StriaePattern *white_pattern(uint32_t kind, bool scratched) {
 }
 
 static void furnaces(void) {
-    protects("what is white and convex does not show in white surroundings; GGX of alpha 0.2 loses what its facets steeper "
+    protects("what is white and convex does not show in white surroundings; GGX of alpha 0.2 loses what its facets "
+             "steeper "
              "than 45 degrees (0.04 of them) send below the horizon, and more where it is seen aslant");
     expect_furnace("matte ball", ball_place, NULL, STRIAE_BOUNCES_ONE, 0.999, 1.001);
-    expect_furnace("Lambert", flat_place, white_pattern(STRIAE_BRDF_KIND_LAMBERT, false), STRIAE_BOUNCES_ONE, 0.999, 1.001);
-    expect_furnace("GGX ball", ball_place, white_pattern(STRIAE_BRDF_KIND_GGX, false), STRIAE_BOUNCES_ONE, 0.92, 0.96);
+    expect_furnace("Lambert", flat_place, white_pattern(STRIAE_BRDF_KIND_LAMBERT, false), STRIAE_BOUNCES_ONE, 0.999,
+                   1.001);
+    expect_furnace("GGX ball", ball_place, white_pattern(STRIAE_BRDF_KIND_GGX, false), STRIAE_BOUNCES_ONE, 0.92,
+                   0.96);
     protects("within grooves light is lost with one reflection, and none with all");
-    expect_furnace("scratched, one", flat_place, white_pattern(STRIAE_BRDF_KIND_LAMBERT, true), STRIAE_BOUNCES_ONE, 0.6, 0.99);
-    expect_furnace("scratched, all", flat_place, white_pattern(STRIAE_BRDF_KIND_LAMBERT, true), STRIAE_BOUNCES_ALL, 0.99, 1.01);
+    expect_furnace("scratched, one", flat_place, white_pattern(STRIAE_BRDF_KIND_LAMBERT, true), STRIAE_BOUNCES_ONE,
+                   0.6, 0.99);
+    expect_furnace("scratched, all", flat_place, white_pattern(STRIAE_BRDF_KIND_LAMBERT, true), STRIAE_BOUNCES_ALL,
+                   0.99, 1.01);
 }
 
 static void three_ways(void) {
-    protects("light looked for, run into, and both with shares, is the same light: on a scratched, glossy plate under a lamp "
+    protects("light looked for, run into, and both with shares, is the same light: on a scratched, glossy plate "
+             "under a lamp "
              "and lopsided surroundings");
     Room room;
     Environment environment;
@@ -230,7 +237,8 @@ static double environment_mean(const Environment *environment) {
 }
 
 static void surroundings(void) {
-    protects("surroundings are chosen with the density told, and are the same after being written to a file and read back");
+    protects("surroundings are chosen with the density told, and are the same after being written to a file and "
+             "read back");
     Environment painted, read;
     Film film;
     double sum = 0.0;
@@ -264,7 +272,8 @@ static Vec mirrored_place(const Room *room, double x, double y) {
 }
 
 static void differentials(void) {
-    protects("a ray knows how far its neighbours lie from it: on the first surface, and after a mirror that is round");
+    protects(
+        "a ray knows how far its neighbours lie from it: on the first surface, and after a mirror that is round");
     Room room;
     if (!room_init(&room, ball_place, NULL, 1.0, 12.0)) return;
     const Sample sample = {3.0, 5.0, 1.0};
@@ -285,7 +294,8 @@ static void differentials(void) {
     const Ray onwards = ray_onwards(&ray, &surface, vec_unit(mirrored), 1e12, 1); /* of no spread of its own */
     for (int k = 0; k < 2; k++) {
         const double h = 0.01, dx = k == 0 ? h : 0.0, dy = k == 1 ? h : 0.0;
-        const Vec difference = vec_sub(mirrored_place(&room, 3.0 + dx, 5.0 + dy), mirrored_place(&room, 3.0 - dx, 5.0 - dy));
+        const Vec difference =
+            vec_sub(mirrored_place(&room, 3.0 + dx, 5.0 + dy), mirrored_place(&room, 3.0 - dx, 5.0 - dy));
         const Vec truth = vec_scale(difference, 0.5 / h);
         const Vec told = vec_along(onwards.origin_by[k], 3.0, onwards.direction_by[k]);
         printf("  off by %.4f of %.4f\n", vec_length(vec_sub(told, truth)), vec_length(truth));

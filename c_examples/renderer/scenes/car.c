@@ -10,7 +10,7 @@ enum { FACE_PANEL = 1, STROKES = 5, MOST_POINTS = 6, MOST_KEYS = 6 };
 
 static const double PANEL_MM[2] = {260.0, 200.0};
 
-static Paint red = {.albedo = {0.34f, 0.012f, 0.014f}, .alpha = 0.02f};
+static Paint red = {.albedo = {0.26f, 0.008f, 0.010f}, .alpha = 0.03f};
 
 /* A long crease, above which the panel is all but level and below which it falls away; a wide dome all over. */
 static double height_at(double x, double y) {
@@ -53,8 +53,16 @@ static const Stroke strokes[STROKES] = {
      4,
      {{0.0, 0.0}, {0.2, 1.2}, {0.7, 1.9}, {1.0, 0.0}},
      4},
-    {STRIAE_TOOL_PRESET_SCRIBER, {{26.0, 30.0}, {33.0, 20.0}, {38.0, 9.0}}, 3, {{0.0, 0.0}, {0.4, 1.6}, {1.0, 0.0}}, 3},
-    {STRIAE_TOOL_PRESET_NAIL, {{-40.0, -17.0}, {-34.0, -16.0}, {-27.5, -17.5}}, 3, {{0.0, 3.0}, {0.5, 4.2}, {1.0, 0.0}}, 3},
+    {STRIAE_TOOL_PRESET_SCRIBER,
+     {{26.0, 30.0}, {33.0, 20.0}, {38.0, 9.0}},
+     3,
+     {{0.0, 0.0}, {0.4, 1.6}, {1.0, 0.0}},
+     3},
+    {STRIAE_TOOL_PRESET_NAIL,
+     {{-40.0, -17.0}, {-34.0, -16.0}, {-27.5, -17.5}},
+     3,
+     {{0.0, 3.0}, {0.5, 4.2}, {1.0, 0.0}},
+     3},
 };
 
 static StriaeStatus add_stroke(const Stroke *stroke, StriaePatternBuilder *builder) {
@@ -84,7 +92,10 @@ static StriaeStatus add_wear(StriaePatternBuilder *builder) {
     StriaeGenerator swirls = {.struct_size = sizeof swirls};
     StriaeTool *grain = NULL;
     StriaeStatus status = striae_generator_preset(STRIAE_STYLE_HANDLING, &swirls);
-    swirls.per_cm2 = 25.0;
+    swirls.per_cm2 = 1.0;
+    swirls.length_mm.from = 3.0;
+    swirls.force_kgf.from = 4e-4;
+    swirls.force_kgf.to = 0.1;
     if (status == STRIAE_STATUS_OK) status = striae_tool_preset(STRIAE_TOOL_PRESET_ABRASIVE_GRAIN, &grain);
     if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_generate(builder, &swirls, grain, NULL, 12);
     striae_tool_release(grain);
@@ -97,7 +108,7 @@ static StriaeStatus painted_steel(StriaeMaterial *material, StriaeLayer layers[2
     const StriaeHostBrdf paint = paint_host(&red);
     StriaeStatus status = striae_material_metal(STRIAE_METAL_STEEL, material);
     if (status == STRIAE_STATUS_OK) status = striae_brdf_host(&paint, &material->surface);
-    if (status == STRIAE_STATUS_OK) status = striae_brdf_metal(STRIAE_METAL_STEEL, 0.2f, &material->scratched);
+    if (status == STRIAE_STATUS_OK) status = striae_brdf_metal(STRIAE_METAL_STEEL, 0.28f, &material->scratched);
     layers[0] = (StriaeLayer){.thickness_mm = 0.035};
     layers[1] = (StriaeLayer){.thickness_mm = 0.022};
     if (status == STRIAE_STATUS_OK) status = striae_brdf_lambert(pale, &layers[0].scratched);
@@ -125,33 +136,35 @@ static StriaeStatus car_pattern(StriaePattern **pattern) {
 
 /* An evening outdoors: a bright horizon, a dark ground, a deep sky. */
 static void evening(Vec direction, double radiance[3]) {
-    static const double horizon[3] = {1.05, 0.86, 0.66}, sky[3] = {0.10, 0.17, 0.34}, ground[3] = {0.035, 0.032, 0.03};
+    static const double horizon[3] = {1.05, 0.86, 0.66}, sky[3] = {0.10, 0.17, 0.34},
+                        ground[3] = {0.035, 0.032, 0.03};
     const double glow = exp(-7.0 * fmax(0.0, direction.z)), west = 0.35 + 0.65 * pow(0.5 + 0.5 * direction.y, 2.0);
     const double edge = fmin(1.0, fmax(0.0, 0.5 + 12.0 * direction.z));
-    for (int c = 0; c < 3; c++)
-        radiance[c] = edge * (sky[c] + glow * west * horizon[c]) + (1.0 - edge) * ground[c];
+    for (int c = 0; c < 3; c++) radiance[c] = edge * (sky[c] + glow * west * horizon[c]) + (1.0 - edge) * ground[c];
 }
 
 /* Long lamps overhead, as in a workshop: their edges show how the panel bends. */
 static void add_lamps(const Scene *scene, const Camera *camera, Lights *lights) {
-    static const double tube[3] = {5.0, 4.9, 4.7}, dim[3] = {2.2, 2.3, 2.5};
+    static const double tube[3] = {5.0, 4.9, 4.7}, dim[3] = {2.2, 2.3, 2.5}, low[3] = {7.0, 6.7, 6.2};
     (void)camera;
     prop_soft_box(lights, scene->target, 96.0, 66.0, 700.0, 900.0, 90.0, tube);
     prop_soft_box(lights, scene->target, 84.0, 40.0, 800.0, 900.0, 70.0, dim);
+    /* From behind the camera's left: what the panel does not show, and the long scratches' walls do. */
+    prop_soft_box(lights, scene->target, -166.0, 46.0, 600.0, 260.0, 240.0, low);
 }
 
 bool scene_car(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->mm_per_unit = 1.0;
     scene->target = vec(0.0, 2.0, -6.0);
     scene->exposure = 1.0;
-    scene->paths = 48;
+    scene->paths = 32;
     scene->most_indirect = 3.0;
     scene->add_lamps = add_lamps;
     scene->views[0] = (View){.name = "figure-12",
                              .heading_deg = -78.0,
                              .elevation_deg = 40.0,
                              .distance = 330.0,
-                             .width_deg = 19.5,
+                             .width_deg = 14.0,
                              .lens_radius = 2.2};
     scene->view_count = 1;
     scene->mesh_count = 1;

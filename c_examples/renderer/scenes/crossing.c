@@ -4,17 +4,16 @@
 #include "props.h"
 #include "scenes.h"
 
-enum { FACE_PLATE = 1 };
-
 static const double PLATE_MM = 16.0;
 
 /* The crossing's and the end's places, mm from the plate's middle. */
 static const double CROSSING_MM[2] = {-4.0, 0.0}, END_MM[2] = {4.0, 0.0};
 
-static StriaeStatus add(const StriaeTool *tool, const double centre_mm[2], double from[2], double to[2], double force_kgf,
-                        StriaePatternBuilder *builder) {
-    const double points_uv[2][2] = {{0.5 + (centre_mm[0] + from[0]) / PLATE_MM, 0.5 + (centre_mm[1] + from[1]) / PLATE_MM},
-                                    {0.5 + (centre_mm[0] + to[0]) / PLATE_MM, 0.5 + (centre_mm[1] + to[1]) / PLATE_MM}};
+static StriaeStatus add(const StriaeTool *tool, const double centre_mm[2], double from[2], double to[2],
+                        double force_kgf, StriaePatternBuilder *builder) {
+    const double points_uv[2][2] = {
+        {0.5 + (centre_mm[0] + from[0]) / PLATE_MM, 0.5 + (centre_mm[1] + from[1]) / PLATE_MM},
+        {0.5 + (centre_mm[0] + to[0]) / PLATE_MM, 0.5 + (centre_mm[1] + to[1]) / PLATE_MM}};
     const StriaeKey key = {.force_kgf = force_kgf};
     const StriaeScratch scratch = {.struct_size = sizeof scratch,
                                    .tool = tool,
@@ -26,11 +25,12 @@ static StriaeStatus add(const StriaeTool *tool, const double centre_mm[2], doubl
     return striae_pattern_builder_add_scratch(builder, &scratch);
 }
 
-static StriaeStatus add_all(const StriaeTool *cone, StriaePatternBuilder *builder) {
+static StriaeStatus add_all(const StriaeTool *cone, const StriaeTool *pyramid, StriaePatternBuilder *builder) {
     StriaeStatus status = add(cone, CROSSING_MM, (double[2]){-2.4, -1.5}, (double[2]){2.4, 1.5}, 3.0, builder);
     if (status == STRIAE_STATUS_OK)
         status = add(cone, CROSSING_MM, (double[2]){-2.2, 1.9}, (double[2]){2.2, -1.9}, 3.6, builder);
-    if (status == STRIAE_STATUS_OK) status = add(cone, END_MM, (double[2]){3.0, 0.8}, (double[2]){-0.25, -0.07}, 4.0, builder);
+    if (status == STRIAE_STATUS_OK)
+        status = add(pyramid, END_MM, (double[2]){3.0, 0.8}, (double[2]){-0.25, -0.07}, 4.0, builder);
     return status;
 }
 
@@ -44,22 +44,25 @@ static StriaeStatus make_material(StriaeMaterial *material, StriaeLayer layers[2
     layers[1] = (StriaeLayer){.thickness_mm = 1.0};
     material->layers = layers;
     material->layer_count = 2;
-    return status == STRIAE_STATUS_OK ? striae_brdf_metal(STRIAE_METAL_ALUMINIUM, 0.03f, &layers[1].scratched) : status;
+    return status == STRIAE_STATUS_OK ? striae_brdf_metal(STRIAE_METAL_ALUMINIUM, 0.03f, &layers[1].scratched)
+                                      : status;
 }
 
 static StriaeStatus make_pattern(StriaePattern **pattern) {
     const StriaePatternOptions options = {sizeof options, 1.0, {PLATE_MM, PLATE_MM}};
     StriaeMaterial aluminium = {.struct_size = sizeof aluminium};
     StriaeLayer layers[2];
-    StriaeTool *cone = NULL;
+    StriaeTool *cone = NULL, *pyramid = NULL;
     StriaePatternBuilder *builder = NULL;
     StriaeStatus status = make_material(&aluminium, layers);
     if (status == STRIAE_STATUS_OK) status = striae_tool_preset(STRIAE_TOOL_PRESET_ROCKWELL_C, &cone);
+    if (status == STRIAE_STATUS_OK) status = striae_tool_preset(STRIAE_TOOL_PRESET_VICKERS, &pyramid);
     if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_new(&aluminium, &options, &builder);
-    if (status == STRIAE_STATUS_OK) status = add_all(cone, builder);
+    if (status == STRIAE_STATUS_OK) status = add_all(cone, pyramid, builder);
     if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_build(builder, pattern);
     striae_pattern_builder_free(builder);
     striae_tool_release(cone);
+    striae_tool_release(pyramid);
     return status;
 }
 
@@ -72,7 +75,7 @@ static void room(Vec direction, double radiance[3]) {
 
 /* A lamp from the upper left, as reliefs are lit: what faces it is bright. One fills in from the right, cool and dim. */
 static void add_lamps(const Scene *scene, const Camera *camera, Lights *lights) {
-    static const double key[3] = {9.0, 8.7, 8.0}, fill[3] = {0.9, 1.0, 1.25};
+    static const double key[3] = {7.0, 6.7, 6.1}, fill[3] = {0.9, 1.0, 1.25};
     (void)scene;
     const Vec aim = vec_along(camera->position, camera->focus, camera->forward);
     prop_soft_box(lights, aim, 138.0, 30.0, 8.0, 3.6, 3.0, key);
@@ -92,7 +95,7 @@ static View near_view(const char *name, const double place_mm[2], double width_d
 bool scene_crossing(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->mm_per_unit = 1.0;
     scene->exposure = 1.0;
-    scene->paths = 48;
+    scene->paths = 32;
     scene->add_lamps = add_lamps;
     scene->views[0] = near_view("figure-5-crossing", CROSSING_MM, 25.0);
     scene->views[1] = near_view("figure-5-end", END_MM, 18.0);

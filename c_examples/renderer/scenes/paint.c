@@ -10,7 +10,7 @@ static const float COAT_F0 = 0.04f;
 static float coat_fresnel(float cosine) { return COAT_F0 + (1.0f - COAT_F0) * powf(1.0f - cosine, 5.0f); }
 
 /* How often samples follow the coat: as much as it reflects of all, and never too seldom. */
-static float coat_chance(const float *view) { return fmaxf(0.3f, coat_fresnel(view[2])); }
+static float coat_chance(const float *view) { return fmaxf(0.5f, coat_fresnel(view[2])); }
 
 static float density_of_slopes(float alpha, float z) {
     const float a2 = alpha * alpha, d = z * z * (a2 - 1.0f) + 1.0f;
@@ -18,7 +18,9 @@ static float density_of_slopes(float alpha, float z) {
 }
 
 /* Smith's masking, over twice the cosine. */
-static float masking(float alpha, float z) { return 1.0f / (z + sqrtf(alpha * alpha + (1.0f - alpha * alpha) * z * z)); }
+static float masking(float alpha, float z) {
+    return 1.0f / (z + sqrtf(alpha * alpha + (1.0f - alpha * alpha) * z * z));
+}
 
 /* The unit vector halfway between view and light; returns their cosine to it. */
 static float halfway(const float *view, const float *light, float half[3]) {

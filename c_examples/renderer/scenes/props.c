@@ -2,19 +2,6 @@
 
 #include <stdio.h>
 
-StriaePattern *prop_finish(const StriaeBrdf *brdf) {
-    const StriaePatternOptions options = {sizeof options, 1.0, {1.0, 1.0}};
-    StriaeMaterial material = {.struct_size = sizeof material};
-    StriaePatternBuilder *builder = NULL;
-    StriaePattern *pattern = NULL;
-    striae_material_metal(STRIAE_METAL_STEEL, &material);
-    material.surface = material.scratched = *brdf;
-    if (striae_pattern_builder_new(&material, &options, &builder) == STRIAE_STATUS_OK)
-        striae_pattern_builder_build(builder, &pattern);
-    striae_pattern_builder_free(builder);
-    return pattern;
-}
-
 bool prop_table(Mesh *mesh, double half_width, double z) {
     if (!mesh_init(mesh, 1)) return false;
     const double h = half_width;
@@ -24,8 +11,8 @@ bool prop_table(Mesh *mesh, double half_width, double z) {
     return true;
 }
 
-void prop_soft_box(Lights *lights, Vec target, double heading_deg, double elevation_deg, double distance, double width,
-                   double height, const double radiance[3]) {
+void prop_soft_box(Lights *lights, Vec target, double heading_deg, double elevation_deg, double distance,
+                   double width, double height, const double radiance[3]) {
     const double heading = radians(heading_deg), elevation = radians(elevation_deg);
     const Vec direction = vec(cos(elevation) * cos(heading), cos(elevation) * sin(heading), sin(elevation));
     const Lamp lamp = {.centre = vec_along(target, distance, direction),

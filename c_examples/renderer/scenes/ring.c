@@ -6,16 +6,16 @@
 #include "props.h"
 #include "scenes.h"
 
-enum { FACE_RING = 1, ROUND = 256, PROFILE = 48, STROKE_KEYS = 9 };
+enum { FACE_RING = 1, ROUND = 128, PROFILE = 36, STROKE_KEYS = 9 };
 
 /* "What is written remains." */
 static const char INSCRIPTION[] = "SCRIPTA MANENT";
-static const double LETTER_MM = 1.95;
+static const double LETTER_MM = 1.72;
 
 static const double RADIUS_MM = 10.2, HALF_THICK_MM = 0.95, HALF_WIDE_MM = 3.1;
 
 /* How deep the graver goes: as with a broad nib held slantwise, strokes across the nib are the heaviest. */
-static const double THIN_MM = 0.045, THICK_MM = 0.135, NIB_DEG = 25.0;
+static const double THIN_MM = 0.06, THICK_MM = 0.17, NIB_DEG = 25.0;
 
 /* The band's profile: a superellipse (r / a)^n + (z / b)^n = 1, flat outside and inside, its edges round. It is walked at
    even steps of length, so that texture space lies evenly on it. */
@@ -91,8 +91,8 @@ static void stroke_keys(const LetterStroke *stroke, StriaeKey keys[STROKE_KEYS])
     }
 }
 
-static StriaeStatus cut(const LetterStroke *stroke, double left_mm, const StriaeTool *graver, const StriaeSurface *surface,
-                        StriaePatternBuilder *builder) {
+static StriaeStatus cut(const LetterStroke *stroke, double left_mm, const StriaeTool *graver,
+                        const StriaeSurface *surface, StriaePatternBuilder *builder) {
     double points[LETTER_MOST_POINTS][3];
     StriaeKey keys[STROKE_KEYS];
     for (size_t i = 0; i < stroke->count; i++)
@@ -110,7 +110,8 @@ static StriaeStatus cut(const LetterStroke *stroke, double left_mm, const Striae
     return striae_pattern_builder_add_scratch(builder, &scratch);
 }
 
-static StriaeStatus inscribe(const StriaeTool *graver, const StriaeSurface *surface, StriaePatternBuilder *builder) {
+static StriaeStatus inscribe(const StriaeTool *graver, const StriaeSurface *surface,
+                             StriaePatternBuilder *builder) {
     LetterStroke strokes[LETTER_MOST_STROKES];
     StriaeStatus status = STRIAE_STATUS_OK;
     double width, total = -LETTER_GAP;
@@ -129,13 +130,14 @@ static StriaeStatus inscribe(const StriaeTool *graver, const StriaeSurface *surf
 }
 
 /* What years on a finger leave. */
-static StriaeStatus wear(StriaePatternBuilder *builder) {
+static StriaeStatus wear(const StriaeMaterial *bare, StriaePatternBuilder *builder) {
     StriaeGenerator handling = {.struct_size = sizeof handling};
     StriaeTool *grain = NULL;
     StriaeStatus status = striae_generator_preset(STRIAE_STYLE_HANDLING, &handling);
     if (status == STRIAE_STATUS_OK) status = striae_tool_preset(STRIAE_TOOL_PRESET_ABRASIVE_GRAIN, &grain);
-    handling.per_cm2 = 60.0;
-    if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_generate(builder, &handling, grain, NULL, 13);
+    handling.per_cm2 = 1.5;
+    handling.length_mm.from = 1.5;
+    if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_generate(builder, &handling, grain, bare, 13);
     striae_tool_release(grain);
     return status;
 }
@@ -147,7 +149,7 @@ static StriaeStatus ring_pattern(const Mesh *mesh, StriaePattern **pattern) {
     StriaeTool *graver = NULL;
     StriaeSurface *surface = NULL;
     StriaePatternBuilder *builder = NULL;
-    double(*positions)[3] = malloc(mesh->vertex_count * sizeof *positions);
+    double (*positions)[3] = malloc(mesh->vertex_count * sizeof *positions);
     if (!positions) return STRIAE_STATUS_INTERNAL;
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         const Vec p = mesh->positions[i];
@@ -157,15 +159,20 @@ static StriaeStatus ring_pattern(const Mesh *mesh, StriaePattern **pattern) {
     }
     StriaeStatus status = striae_material_metal(STRIAE_METAL_GOLD, &gold);
     if (status == STRIAE_STATUS_OK) status = striae_brdf_metal(STRIAE_METAL_GOLD, 0.09f, &gold.surface);
-    if (status == STRIAE_STATUS_OK) status = striae_brdf_metal(STRIAE_METAL_GOLD, 0.16f, &gold.scratched);
+    /* Letters are darkened with a patina, or they would show as little as what they are cut into. */
+    static const float patina[3] = {0.24f, 0.14f, 0.06f};
+    if (status == STRIAE_STATUS_OK) status = striae_brdf_schlick(patina, 0.2f, &gold.scratched);
+    StriaeMaterial bare = gold;
+    bare.scratched = gold.surface;
     gold.pile_up_law = STRIAE_PILE_UP_LAW_NONE; /* a graver lifts chips out */
     if (status == STRIAE_STATUS_OK) status = striae_tool_preset(STRIAE_TOOL_PRESET_SQUARE_GRAVER, &graver);
     if (status == STRIAE_STATUS_OK)
-        status = striae_surface_new((const double (*)[3])positions, (const double (*)[2])mesh->uv, mesh->vertex_count,
-                                    (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, &surface);
+        status =
+            striae_surface_new((const double (*)[3])positions, (const double (*)[2])mesh->uv, mesh->vertex_count,
+                               (const uint32_t (*)[3])mesh->triangles, mesh->triangle_count, &surface);
     free(positions);
     if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_new(&gold, &options, &builder);
-    if (status == STRIAE_STATUS_OK) status = wear(builder);
+    if (status == STRIAE_STATUS_OK) status = wear(&bare, builder);
     if (status == STRIAE_STATUS_OK) status = inscribe(graver, surface, builder);
     if (status == STRIAE_STATUS_OK) status = striae_pattern_builder_build(builder, pattern);
     striae_pattern_builder_free(builder);
@@ -178,33 +185,32 @@ static StriaeStatus ring_pattern(const Mesh *mesh, StriaePattern **pattern) {
 static void tent(Vec direction, double radiance[3]) {
     static const double cloth[3] = {1.0, 0.93, 0.84};
     const double up = fmax(0.0, direction.z), away = 0.5 - 0.5 * direction.x;
-    const double light = 0.03 + 0.75 * up * up * (0.35 + 0.65 * away);
+    const double light = 0.015 + 0.25 * up * up * (0.2 + 0.8 * away);
     for (int c = 0; c < 3; c++) radiance[c] = light * cloth[c];
 }
 
 static void add_lamps(const Scene *scene, const Camera *camera, Lights *lights) {
-    static const double above[3] = {2.6, 2.45, 2.2}, left[3] = {2.4, 2.3, 2.15}, right[3] = {1.1, 1.15, 1.25};
+    static const double key[3] = {13.0, 12.2, 11.0}, above[3] = {2.6, 2.5, 2.35}, behind[3] = {1.5, 1.5, 1.6};
     (void)camera;
-    prop_soft_box(lights, scene->target, 150.0, 62.0, 70.0, 80.0, 40.0, above);
-    prop_soft_box(lights, scene->target, -62.0, 24.0, 60.0, 34.0, 60.0, left);
-    prop_soft_box(lights, scene->target, 78.0, 18.0, 60.0, 16.0, 50.0, right);
+    prop_soft_box(lights, scene->target, -62.0, 38.0, 34.0, 13.0, 13.0, key);
+    prop_soft_box(lights, scene->target, 60.0, 66.0, 50.0, 40.0, 16.0, above);
+    prop_soft_box(lights, scene->target, 160.0, 30.0, 70.0, 60.0, 20.0, behind);
 }
 
 bool scene_ring(Scene *scene, char error[SCENE_ERROR_SIZE]) {
-    const StriaeBrdf slate = {.kind = STRIAE_BRDF_KIND_GGX, .alpha = 0.22f, .f0 = {0.05f, 0.05f, 0.055f}};
     scene->mm_per_unit = 1.0;
     scene->target = vec(0.0, 0.0, HALF_WIDE_MM);
-    scene->exposure = 1.0;
-    scene->paths = 64;
-    scene->most_indirect = 1.5;
+    scene->exposure = 1.1;
+    scene->paths = 32;
+    scene->most_indirect = 0.5;
     scene->add_lamps = add_lamps;
     scene->views[0] = (View){.name = "figure-13",
                              .heading_deg = -4.0,
                              .elevation_deg = 27.0,
                              .distance = 75.0,
-                             .width_deg = 22.0,
+                             .width_deg = 22.5,
                              .aside = {2.5, 0.0, -0.5},
-                             .lens_radius = 0.9};
+                             .lens_radius = 0.4};
     scene->view_count = 1;
     scene->mesh_count = 2;
     snprintf(error, SCENE_ERROR_SIZE, "out of memory");
@@ -213,9 +219,10 @@ bool scene_ring(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     if (!mesh_init_grid(ring, FACE_RING, ROUND, PROFILE, ring_place, &profile) || !prop_table(table, 400.0, 0.0) ||
         !environment_paint(&scene->environment, 128, tent))
         return false;
+    static const double felt[3] = {0.36, 0.30, 0.255};
+    for (int c = 0; c < 3; c++) table->albedo[c] = felt[c];
     StriaePattern *pattern = NULL;
     if (ring_pattern(ring, &pattern) != STRIAE_STATUS_OK) return prop_refused(error);
     ring->pattern = pattern;
-    table->pattern = prop_finish(&slate);
-    return table->pattern != NULL || prop_refused(error);
+    return true;
 }

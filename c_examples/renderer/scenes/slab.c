@@ -29,20 +29,22 @@ static void add_strip(Mesh *mesh, const Slab *slab, unsigned face, const Ring *i
     const Vec corners[4] = {ring_corner(slab, outer, s[0][0], s[0][1]), ring_corner(slab, outer, s[1][0], s[1][1]),
                             ring_corner(slab, inner, s[1][0], s[1][1]), ring_corner(slab, inner, s[0][0], s[0][1])};
     double uv[4][2];
-    for (int i = 0; i < 4; i++) unfold(slab, corners[i], (i < 2 ? outer : inner)->unfolded_mm[side % 2], side, uv[i]);
+    for (int i = 0; i < 4; i++)
+        unfold(slab, corners[i], (i < 2 ? outer : inner)->unfolded_mm[side % 2], side, uv[i]);
     mesh_add_quad(mesh, face, corners, uv);
 }
 
 bool slab_mesh(Mesh *mesh, const Slab *slab) {
     if (!mesh_init(mesh, 9)) return false;
-    const double hx = slab->size_mm[0] / 2, hy = slab->size_mm[1] / 2, top = slab->size_mm[2], b = slab->bevel_mm, slope = b * sqrt(2.0);
+    const double hx = slab->size_mm[0] / 2, hy = slab->size_mm[1] / 2, top = slab->size_mm[2], b = slab->bevel_mm,
+                 slope = b * sqrt(2.0);
     const double wall = top - b;
     const Ring face = {{hx - b, hy - b}, top, {hx - b, hy - b}};
     const Ring rim = {{hx, hy}, top - b, {hx - b + slope, hy - b + slope}};
     const Ring foot = {{hx, hy}, 0.0, {hx - b + slope + wall, hy - b + slope + wall}};
 
-    const Vec corners[4] = {ring_corner(slab, &face, -1, -1), ring_corner(slab, &face, 1, -1), ring_corner(slab, &face, 1, 1),
-                            ring_corner(slab, &face, -1, 1)};
+    const Vec corners[4] = {ring_corner(slab, &face, -1, -1), ring_corner(slab, &face, 1, -1),
+                            ring_corner(slab, &face, 1, 1), ring_corner(slab, &face, -1, 1)};
     double uv[4][2];
     for (int i = 0; i < 4; i++) {
         uv[i][0] = 0.5 + corners[i].x * slab->mm_per_unit / slab->size_mm[0];
