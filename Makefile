@@ -1,4 +1,4 @@
-# `make demo` renders the scratched titanium plate, `make figures` the paper's Figures 7 and 9, `make compare` judges the library by
+# `make demo` renders the scratched titanium plate, `make figures` the paper's other pictures, `make compare` judges the library by
 # brute force and POV-Ray, `make test` checks everything.
 # All of them install the Debian packages they need, as root or through sudo.
 
@@ -10,6 +10,7 @@ JOBS := $(shell nproc 2>/dev/null || echo 2)
 CONFIGURE = cmake -S . -B $(BUILD) --log-level=NOTICE -DCMAKE_BUILD_TYPE=Release \
 	-DCMAKE_RULE_MESSAGES=OFF -DCMAKE_TARGET_MESSAGES=OFF
 PACKAGES := cmake libembree-dev libopenexr-dev libpng-dev pkg-config
+SCENES := plate crossing aluminium car ring
 TEST_PACKAGES := $(PACKAGES) g++ binutils valgrind
 
 .DEFAULT_GOAL := help
@@ -19,8 +20,8 @@ help:
 	@echo "make demo           render the plate's three views into $(OUT)/"
 	@echo "make demo CHECK=1   and compare one sample per pixel with 256"
 	@echo "make demo ARGS=...  with the renderer's own options: ARGS=--help lists them"
-	@echo "make figures        the paper's Figures 7 (curves, and the systems before them) and 9 (sixteen scratches over their"
-	@echo "                    cross-sections), into $(OUT)/"
+	@echo "make figures        the paper's Figures 5, 7 and 9 to 13 into $(OUT)/; ten minutes or so"
+	@echo "make figures SCENES=ring    Figures 7 and 9, and only some of the scenes: plate crossing aluminium car ring"
 	@echo "make compare        the library against brute force and POV-Ray, which see the relief's own triangles: a table,"
 	@echo "                    $(OUT)/compare.json and pictures in $(OUT)/compare/; ten minutes or so"
 	@echo "make test           every check: Rust and C"
@@ -40,9 +41,10 @@ demo: rust
 figures: rust
 	@scripts/need $(PACKAGES)
 	@$(CONFIGURE) -DSTRIAE_BUILD_TESTS=OFF
-	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_figure7 striae_figure9
+	@cmake --build $(BUILD) --parallel $(JOBS) --target striae_figure7 striae_figure9 striae_render
 	@$(BUILD)/c_examples/figure7/striae_figure7 $(OUT)
 	@$(BUILD)/c_examples/figure9/striae_figure9 $(OUT)
+	@for scene in $(SCENES); do $(BUILD)/c_examples/renderer/striae_render --scene $$scene --out $(OUT) $(ARGS) || exit 1; done
 	@$(MAKE) page
 
 # Like the demo it reads no files, and shares its build.

@@ -8,12 +8,15 @@ Camera camera_for_view(const Scene *scene, const View *view, int width, int heig
     const double roll = radians(view->roll_deg);
     const Vec right = vec_along(vec_scale(level, cos(roll)), sin(roll), below);
     const double pixel = 2.0 * tan(radians(view->width_deg) / 2.0) / width;
-    return (Camera){.position = vec_along(scene->target, view->distance, back),
+    const Vec target = vec_add(scene->target, view->aside);
+    return (Camera){.position = vec_along(target, view->distance, back),
                     .forward = forward,
                     .right = vec_scale(right, pixel),
                     .down = vec_scale(vec_cross(forward, right), pixel),
                     .centre_x = 0.5 * width,
-                    .centre_y = 0.5 * height};
+                    .centre_y = 0.5 * height,
+                    .lens_radius = view->lens_radius,
+                    .focus = view->distance};
 }
 
 Vec camera_direction(const Camera *camera, double x, double y) {
@@ -25,19 +28,10 @@ Vec camera_direction(const Camera *camera, double x, double y) {
 static bool plane_offset(const Camera *camera, const Surface *surface, double x, double y, Vec *offset) {
     const Vec direction = camera_direction(camera, x, y);
     const Vec from = vec_sub(camera->position, surface->position);
-    const double toward = -vec_dot(direction, surface->normal);
+    const double toward = -vec_dot(direction, surface->geometric);
     if (!(toward > 0.0)) return false;
-    *offset = vec_along(from, vec_dot(from, surface->normal) / toward, direction);
+    *offset = vec_along(from, vec_dot(from, surface->geometric) / toward, direction);
     return true;
-}
-
-/* A tangent vector in texture coordinates: the (du, dv) with du dP/du + dv dP/dv = tangent. */
-static void tangent_to_uv(const Surface *surface, Vec tangent, float duv[2]) {
-    const double uu = vec_dot(surface->dp_du, surface->dp_du), vv = vec_dot(surface->dp_dv, surface->dp_dv);
-    const double uv = vec_dot(surface->dp_du, surface->dp_dv), determinant = uu * vv - uv * uv;
-    const double tu = vec_dot(tangent, surface->dp_du), tv = vec_dot(tangent, surface->dp_dv);
-    duv[0] = (float)((vv * tu - uv * tv) / determinant);
-    duv[1] = (float)((uu * tv - uv * tu) / determinant);
 }
 
 bool camera_footprint(const Camera *camera, const Surface *surface, double x, double y, double size,
@@ -47,7 +41,27 @@ bool camera_footprint(const Camera *camera, const Surface *surface, double x, do
     if (!plane_offset(camera, surface, x - half, y, &left) || !plane_offset(camera, surface, x + half, y, &right) ||
         !plane_offset(camera, surface, x, y - half, &top) || !plane_offset(camera, surface, x, y + half, &bottom))
         return false;
-    tangent_to_uv(surface, vec_sub(right, left), duv_dx);
-    tangent_to_uv(surface, vec_sub(bottom, top), duv_dy);
+    double across[2], down[2];
+    surface_to_uv(surface, vec_sub(right, left), across);
+    surface_to_uv(surface, vec_sub(bottom, top), down);
+    for (int axis = 0; axis < 2; axis++) {
+        duv_dx[axis] = (float)across[axis];
+        duv_dy[axis] = (float)down[axis];
+    }
     return true;
+}
+
+Ray camera_ray(const Camera *camera, const Sample *sample, const double lens[2]) {
+    const double radius = camera->lens_radius * sqrt(lens[0]), turn = 2.0 * PI * lens[1];
+    const Vec aside = vec_along(vec_scale(vec_unit(camera->right), radius * cos(turn)), radius * sin(turn),
+                                vec_unit(camera->down));
+    const Vec through = vec_scale(camera_direction(camera, sample->x, sample->y), camera->focus);
+    const Vec steps[2] = {vec_scale(camera->right, sample->size * camera->focus),
+                          vec_scale(camera->down, sample->size * camera->focus)};
+    const Vec path = vec_sub(through, aside);
+    const double distance = vec_length(path);
+    Ray ray = {.origin = vec_add(camera->position, aside), .direction = vec_scale(path, 1.0 / distance)};
+    for (int k = 0; k < 2; k++)
+        ray.direction_by[k] = vec_scale(vec_across(steps[k], ray.direction), 1.0 / distance);
+    return ray;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+
 bool film_init(Film *film, int width, int height) {
     *film = (Film){width, height, calloc((size_t)width * (size_t)height, sizeof *film->rgb)};
     return film->rgb != NULL;
@@ -65,4 +66,32 @@ static double srgb_curve(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 *
 void film_tone(const float rgb[3], double exposure, unsigned char bytes[3]) {
     for (int c = 0; c < 3; c++)
         bytes[c] = (unsigned char)(255.0 * srgb_curve(film_curve(exposure * (double)rgb[c])) + 0.5);
+}
+
+enum { RGB = 3 };
+
+void film_channels(const Film *film, ExrChannel channels[3]) {
+    static const char *const names[RGB] = {"R", "G", "B"};
+    for (int c = 0; c < RGB; c++)
+        channels[c] =
+            (ExrChannel){names[c], &film->rgb[0][c], sizeof *film->rgb, (size_t)film->width * sizeof *film->rgb};
+}
+
+const char *film_write_exr(const Film *film, const char *path) {
+    ExrChannel channels[RGB];
+    film_channels(film, channels);
+    return exr_write(path, film->width, film->height, channels, RGB);
+}
+
+const char *film_read_exr(Film *film, const char *path) {
+    ExrChannel channels[RGB];
+    int width, height;
+    *film = (Film){0, 0, NULL};
+    const char *failure = exr_size(path, &width, &height);
+    if (failure) return failure;
+    if (!film_init(film, width, height)) return "out of memory";
+    film_channels(film, channels);
+    failure = exr_read(path, channels, RGB);
+    if (failure) film_free(film);
+    return failure;
 }

@@ -4,6 +4,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "exr.h"
+
 typedef struct Film {
     int width, height;
     float (*rgb)[3]; /* row by row from the top, linear, sRGB's primaries */
@@ -23,6 +25,9 @@ bool film_shrink(const Film *film, int times, Film *small);
 
 /* A screen's three bytes for a radiance: exposure, film's curve, the sRGB curve. */
 void film_tone(const float rgb[3], double exposure, unsigned char bytes[3]);
+
+/* Where the film's channels lie, for exr_write() and exr_read(). */
+void film_channels(const Film *film, ExrChannel channels[3]);
 
 /* NULL if the EXR file's channels R, G and B were read into a new film, otherwise why not. */
 const char *film_read_exr(Film *film, const char *path);

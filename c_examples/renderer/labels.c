@@ -26,6 +26,12 @@ void label_map_free(LabelMap *map) {
     *map = (LabelMap){0, 0, NULL};
 }
 
+void label_map_channels(const LabelMap *map, ExrChannel channels[LABEL_CHANNELS]) {
+    for (int c = 0; c < LABEL_CHANNELS; c++)
+        channels[c] = (ExrChannel){label_channels[c].name, (float *)((char *)map->labels + label_channels[c].offset),
+                                   sizeof *map->labels, (size_t)map->width * sizeof *map->labels};
+}
+
 typedef struct Labelling {
     const Stage *stage;
     LabelMap *map;

@@ -2,6 +2,7 @@
    scratches in the pictures themselves. */
 #ifndef RENDERER_LABELS_H
 #define RENDERER_LABELS_H
+#include "exr.h"
 #include "film.h"
 #include "shade.h"
 
@@ -16,15 +17,15 @@ void label_map_free(LabelMap *map);
 /* One query per pixel, with the whole pixel as footprint. */
 void label_map_render(LabelMap *map, const Stage *stage, int threads);
 
-/* The names of the EXR channels, and where in a label each is. In the order of the alphabet, as EXR has them. */
+/* The EXR channels, and where in a label each is. In the order of the alphabet, as EXR has them. */
 enum { LABEL_CHANNELS = 8 };
 extern const struct LabelChannel {
     const char *name;
     size_t offset;
 } label_channels[LABEL_CHANNELS];
 
-/* The film's colours and, unless `map` is NULL, the labels' layers. NULL if the file was written, otherwise why not. */
-const char *exr_write_layers(const Film *film, const LabelMap *map, const char *path);
+/* Where a map's channels lie, for exr_write(). */
+void label_map_channels(const LabelMap *map, ExrChannel channels[LABEL_CHANNELS]);
 
 /* For people to look at: a colour for each scratch; coverage from black over red and yellow to white. */
 const char *label_map_write_ids(const LabelMap *map, const char *path);

@@ -1,8 +1,11 @@
 #include "lights.h"
 
+/* Farther than any scene reaches, near enough for single precision. */
+static const double SUN_DISTANCE = 1e4;
+
 void lights_add(Lights *lights, const Lamp *lamp) {
     const Vec normal = vec_unit(vec_sub(lamp->towards, lamp->centre));
-    const Vec across = vec_unit(vec_cross(vec(0.0, 0.0, 1.0), normal));
+    const Vec across = vec_unit(vec_cross(fabs(normal.z) < 0.999 ? vec(0.0, 0.0, 1.0) : vec(0.0, 1.0, 0.0), normal));
     const Vec upward = vec_cross(normal, across);
     const Vec a = vec_scale(across, lamp->width / lamp->columns), b = vec_scale(upward, lamp->height / lamp->rows);
     for (int row = 0; row < lamp->rows; row++) {
@@ -22,57 +25,6 @@ void lights_add(Lights *lights, const Lamp *lamp) {
     }
 }
 
-/* Where a lamp stands: an azimuth from the camera's, an elevation, and a distance from the scene's target. */
-static Vec lamp_place(const Scene *scene, const Camera *camera, double azimuth_deg, double elevation_deg,
-                      double distance) {
-    const Vec to_camera = vec_sub(camera->position, scene->target);
-    const double azimuth = atan2(to_camera.y, to_camera.x) + radians(azimuth_deg),
-                 elevation = radians(elevation_deg);
-    const Vec direction = vec(cos(elevation) * cos(azimuth), cos(elevation) * sin(azimuth), sin(elevation));
-    return vec_along(scene->target, distance, direction);
-}
-
-Lights lights_for_view(const Scene *scene, const Camera *camera) {
-    Lights lights = {.count = 0};
-    const double distance = vec_length(vec_sub(camera->position, scene->target));
-
-    /* A hand's breadth beside the lens. */
-    const Lamp flash = {.centre = vec_along(camera->position, 0.05 * distance, vec_unit(camera->right)),
-                        .towards = scene->target,
-                        .width = 0.02 * distance,
-                        .height = 0.02 * distance,
-                        .columns = 1,
-                        .rows = 1,
-                        .radiance = {3200.0, 3250.0, 3300.0},
-                        .fade = 1.0};
-    lights_add(&lights, &flash);
-
-    /* About where a mirror in the plate's place would show it to the camera, so that it gives the metal its sheen. */
-    const Lamp soft_box = {.centre = lamp_place(scene, camera, 200.0, 72.0, distance),
-                           .towards = scene->target,
-                           .width = 0.9 * distance,
-                           .height = 0.6 * distance,
-                           .columns = 5,
-                           .rows = 3,
-                           .radiance = {0.15, 0.18, 0.23},
-                           .fade = 0.1};
-    lights_add(&lights, &soft_box);
-
-    /* The room's four walls, far away and dim: what the plate's own sides mirror. */
-    for (int wall = 0; wall < 4; wall++) {
-        const Lamp room = {.centre = lamp_place(scene, camera, 45.0 + 90.0 * wall, 10.0, 3.0 * distance),
-                           .towards = scene->target,
-                           .width = 6.0 * distance,
-                           .height = 2.0 * distance,
-                           .columns = 2,
-                           .rows = 1,
-                           .radiance = {0.05, 0.06, 0.07},
-                           .fade = 1.0};
-        lights_add(&lights, &room);
-    }
-    return lights;
-}
-
 Vec patch_point(const Patch *patch, double a, double b) {
     return vec_along(vec_along(patch->position, a - 0.5, patch->edge_a), b - 0.5, patch->edge_b);
 }
@@ -83,4 +35,24 @@ void patch_irradiance(const Patch *patch, Vec from, Vec to, double irradiance[3]
     const double cosine = vec_dot(path, patch->normal) / sqrt(squared);
     const double solid_angle = cosine > 0.0 ? patch->area * cosine / squared : 0.0;
     for (int c = 0; c < 3; c++) irradiance[c] = patch->radiance[c] * solid_angle;
+}
+
+size_t lights_lamp_count(const Lights *lights) { return lights->count + lights->point_count + lights->sun_count; }
+
+Vec lights_arrival(const Lights *lights, size_t lamp, double a, double b, Vec to, double irradiance[3]) {
+    if (lamp < lights->count) {
+        const Vec from = patch_point(&lights->patches[lamp], a, b);
+        patch_irradiance(&lights->patches[lamp], from, to, irradiance);
+        return from;
+    }
+    lamp -= lights->count;
+    if (lamp < lights->point_count) {
+        const PointLight *point = &lights->points[lamp];
+        const Vec path = vec_sub(to, point->position);
+        for (int c = 0; c < 3; c++) irradiance[c] = point->intensity[c] / vec_dot(path, path);
+        return point->position;
+    }
+    const Sun *sun = &lights->suns[lamp - lights->point_count];
+    for (int c = 0; c < 3; c++) irradiance[c] = sun->irradiance[c];
+    return vec_along(to, SUN_DISTANCE, sun->direction);
 }

@@ -33,32 +33,27 @@ static void shade_scratched(const Stage *stage, const Surface *surface, const Sa
     striae_shade(surface->mesh->pattern, &point, view, &shading);
     striae_set_bounces(&shading, stage->bounces);
 
-    for (size_t i = 0; i < stage->lights.count; i++) {
-        const Patch *patch = &stage->lights.patches[i];
-        float light[3], f[3];
-        to_local(&frame, surface->position, patch->position, light);
-        striae_eval(&shading, light, 0, f);
-        if (f[0] + f[1] + f[2] <= 0.0f || trace_blocked(stage->tracer, surface, patch->position)) continue;
+    for (size_t i = 0; i < lights_lamp_count(&stage->lights); i++) {
         double irradiance[3];
-        patch_irradiance(patch, patch->position, surface->position, irradiance);
+        float light[3], f[3];
+        const Vec from = lights_arrival(&stage->lights, i, 0.5, 0.5, surface->position, irradiance);
+        to_local(&frame, surface->position, from, light);
+        striae_eval(&shading, light, 0, f);
+        if (f[0] + f[1] + f[2] <= 0.0f || trace_blocked(stage->tracer, surface, from)) continue;
         for (int c = 0; c < 3; c++) radiance[c] += irradiance[c] * (double)f[c];
     }
 }
 
 /* A matte surface, for what lies about: each lamp's patches are met at random points, for soft shadows. */
 static void shade_matte(const Stage *stage, const Surface *surface, const Sample *sample, double radiance[3]) {
-    enum { POINTS_PER_PATCH = 1 };
     uint32_t random = (uint32_t)(sample->x * 4096.0) * 73856093u ^ (uint32_t)(sample->y * 4096.0) * 19349663u;
-    for (size_t i = 0; i < stage->lights.count * POINTS_PER_PATCH; i++) {
-        const Patch *patch = &stage->lights.patches[i / POINTS_PER_PATCH];
+    for (size_t i = 0; i < lights_lamp_count(&stage->lights); i++) {
         const double a = next_random(&random), b = next_random(&random);
-        const Vec from = patch_point(patch, a, b);
+        double irradiance[3];
+        const Vec from = lights_arrival(&stage->lights, i, a, b, surface->position, irradiance);
         const double cosine = vec_dot(vec_unit(vec_sub(from, surface->position)), surface->normal);
         if (cosine <= 0.0 || trace_blocked(stage->tracer, surface, from)) continue;
-        double irradiance[3];
-        patch_irradiance(patch, from, surface->position, irradiance);
-        for (int c = 0; c < 3; c++)
-            radiance[c] += irradiance[c] * cosine * surface->mesh->albedo[c] / (PI * POINTS_PER_PATCH);
+        for (int c = 0; c < 3; c++) radiance[c] += irradiance[c] * cosine * surface->mesh->albedo[c] / PI;
     }
 }
 

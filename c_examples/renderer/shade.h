@@ -1,7 +1,7 @@
-/* From a place in the picture to the light that is seen there. */
+/* From a place in the picture to the light of all lamps that is seen there, each counted as a point: no chance, no noise. */
 #ifndef RENDERER_SHADE_H
 #define RENDERER_SHADE_H
-#include "lights.h"
+#include "camera.h"
 #include "trace.h"
 
 /* All that the samples of one view share; nothing in it changes while they run. */
@@ -13,11 +13,6 @@ typedef struct Stage {
     Lights lights;
     uint32_t bounces; /* within scratches: STRIAE_BOUNCES_ONE or STRIAE_BOUNCES_ALL */
 } Stage;
-
-/* A square of the picture: its middle, and its side in pixels. */
-typedef struct Sample {
-    double x, y, size;
-} Sample;
 
 /* The mean radiance of the sample's square, red, green and blue. Returns the face hit, 0 for none. */
 unsigned shade_sample(const Stage *stage, const Sample *sample, double radiance[3]);

@@ -6,11 +6,11 @@
 
 #include "trace.h"
 
-enum { TILE_SIZE = 32, MAX_THREADS = 256 };
+enum { MAX_THREADS = 256 };
 
 typedef struct Queue {
     const TileJob *job;
-    int columns, total;
+    int columns, past, total;
     atomic_int next;
     int done;
     pthread_mutex_t report_lock;
@@ -18,11 +18,15 @@ typedef struct Queue {
 
 static int min_int(int a, int b) { return a < b ? a : b; }
 
+static int tiles_across(int pixels) { return (pixels + TILE_SIZE - 1) / TILE_SIZE; }
+
+int tiles_count(int width, int height) { return tiles_across(width) * tiles_across(height); }
+
 static void *work_through(void *user) {
     Queue *queue = user;
     const TileJob *job = queue->job;
     trace_prepare_thread();
-    for (int i = atomic_fetch_add(&queue->next, 1); i < queue->total; i = atomic_fetch_add(&queue->next, 1)) {
+    for (int i = atomic_fetch_add(&queue->next, 1); i < queue->past; i = atomic_fetch_add(&queue->next, 1)) {
         const int x0 = i % queue->columns * TILE_SIZE, y0 = i / queue->columns * TILE_SIZE;
         const Tile tile = {x0, y0, min_int(x0 + TILE_SIZE, job->width), min_int(y0 + TILE_SIZE, job->height)};
         job->work(&tile, job->work_user);
@@ -35,9 +39,9 @@ static void *work_through(void *user) {
 }
 
 void tiles_run(const TileJob *job) {
-    const int columns = (job->width + TILE_SIZE - 1) / TILE_SIZE, rows = (job->height + TILE_SIZE - 1) / TILE_SIZE;
-    Queue queue = {.job = job, .columns = columns, .total = columns * rows};
-    atomic_init(&queue.next, 0);
+    const int all = tiles_count(job->width, job->height), past = job->past > 0 ? min_int(job->past, all) : all;
+    Queue queue = {.job = job, .columns = tiles_across(job->width), .past = past, .total = past - job->first};
+    atomic_init(&queue.next, job->first);
     pthread_mutex_init(&queue.report_lock, NULL);
 
     pthread_t threads[MAX_THREADS];

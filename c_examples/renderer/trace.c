@@ -102,9 +102,13 @@ bool trace_closest(const Tracer *tracer, Vec origin, Vec direction, Hit *hit) {
     return true;
 }
 
+Vec trace_off(const Surface *surface) {
+    /* More than single precision can lose, and far less than anything that casts a shadow. */
+    return vec_along(surface->position, 1e-4, surface->geometric);
+}
+
 bool trace_blocked(const Tracer *tracer, const Surface *surface, Vec light) {
-    /* Off the surface by more than single precision can lose, and far less than anything that casts a shadow. */
-    const Vec origin = vec_along(surface->position, 1e-4, surface->normal);
+    const Vec origin = trace_off(surface);
     struct RTCRay ray = ray_along(origin, vec_sub(light, origin), 0.999f);
     occluded(tracer->geometry, &ray);
     return ray.tfar < 0.0f;

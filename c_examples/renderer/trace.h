@@ -16,6 +16,9 @@ void tracer_free(Tracer *tracer);
 
 bool trace_closest(const Tracer *tracer, Vec origin, Vec direction, Hit *hit);
 
+/* Where rays leave a surface: a little off it. */
+Vec trace_off(const Surface *surface);
+
 /* Whether something lies between a surface point and a light. */
 bool trace_blocked(const Tracer *tracer, const Surface *surface, Vec light);
 

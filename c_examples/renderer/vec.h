@@ -21,7 +21,14 @@ static inline Vec vec_unit(Vec a) { return vec_scale(a, 1.0 / vec_length(a)); }
 static inline Vec vec_cross(Vec a, Vec b) {
     return vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
+/* What of a is at right angles to the unit vector b. */
+static inline Vec vec_across(Vec a, Vec b) { return vec_along(a, -vec_dot(a, b), b); }
 static inline double radians(double degrees) { return degrees * (PI / 180.0); }
+
+/* Any unit vector at right angles to the unit vector a. */
+static inline Vec vec_aside(Vec a) {
+    return vec_unit(vec_across(fabs(a.z) < 0.8 ? vec(0.0, 0.0, 1.0) : vec(1.0, 0.0, 0.0), a));
+}
 
 /* For the float arrays that Embree and striae take. */
 static inline void vec_to_floats(Vec a, float out[3]) {
@@ -29,4 +36,5 @@ static inline void vec_to_floats(Vec a, float out[3]) {
     out[1] = (float)a.y;
     out[2] = (float)a.z;
 }
+static inline Vec vec_from_floats(const float a[3]) { return vec((double)a[0], (double)a[1], (double)a[2]); }
 #endif

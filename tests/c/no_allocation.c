@@ -6,6 +6,7 @@
 #include "allocation_counter.h"
 #include "matt_host.h"
 #include "plate_fixture.h"
+#include "scenes/scenes.h"
 #include "shade.h"
 
 #ifdef STRIAE_LIBRARY
@@ -179,19 +180,19 @@ static void expect_no_allocation(const Shaded *shaded) {
 
 int main(void) {
     char error[SCENE_ERROR_SIZE];
-    Scene scene;
+    Scene scene = {.name = "plate"};
     Shaded shaded = {0, 0, 0, 0};
 #ifdef STRIAE_LIBRARY
     if (!EXPECT(dlopened_striae_open(STRIAE_LIBRARY))) return expect_summary();
 #endif
     counter_counts();
     every_question();
-    if (!EXPECT(scene_build(&scene, "plate", error))) return expect_summary();
+    if (!EXPECT(scene_plate(&scene, error))) return expect_summary();
     Tracer *tracer = tracer_new(&scene, error);
     if (!EXPECT(tracer != NULL)) return expect_summary();
     stage = (Stage){.scene = &scene, .view = &scene.views[0], .tracer = tracer};
     stage.camera = camera_for_view(&scene, stage.view, WIDTH, HEIGHT);
-    stage.lights = lights_for_view(&scene, &stage.camera);
+    stage.lights = scene_lights(&scene, &stage.camera);
 
     protects("a fresh thread shades the demo's plate without an allocation");
     in_fresh_thread(shade_view, &shaded);

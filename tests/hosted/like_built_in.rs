@@ -13,7 +13,7 @@ const ROUNDING: f32 = 2e-4;
 
 /// The same where light has gone from zone to zone: what a host's zones pass on has GGX's lobe, as here, but not the colour
 /// that a conductor takes on at grazing angles.
-const PASSED_ON: f32 = 5e-3;
+const PASSED_ON: f32 = 1e-2;
 
 /// Points of the same patterns, with the library's base BRDFs and with the host's.
 fn prepared(random: &mut StdRng) -> Vec<[Shading; 2]> {

@@ -2,14 +2,14 @@
    cone, each with a smaller force than its neighbour. */
 #include <stdio.h>
 
-#include "scene.h"
+#include "props.h"
+#include "scenes.h"
+#include "slab.h"
 
-enum { FACE_NONE, FACE_TOP, FACE_EDGES, FACE_GROUND = FACE_EDGES + 8 };
 enum { SCRATCH_COUNT = 5 };
 
 static const double MM_PER_UNIT = 10.0;
 static const double PLATE_MM[3] = {60.0, 40.0, 3.0};
-static const double BEVEL_MM = 0.5;
 
 /* The range of loads of the paper's tests, in equal steps. */
 static const double FORCE_KGF[SCRATCH_COUNT] = {4.0, 3.125, 2.25, 1.375, 0.5};
@@ -64,87 +64,79 @@ static StriaeStatus scratch_pattern(StriaePattern **pattern) {
     return status;
 }
 
-/* Texture coordinates of the plate unfolded like a carton: the top, around it the bevels, around those the
-   sides, all to the top's scale, so that (0,0)-(1,1) is the plate seen from above. */
-static void unfold(Vec corner, double unfolded_mm, int side, double uv[2]) {
-    const double along[2] = {corner.x * MM_PER_UNIT, corner.y * MM_PER_UNIT};
-    const double sign = side < 2 ? 1.0 : -1.0;
-    for (int axis = 0; axis < 2; axis++) {
-        const double mm = axis == side % 2 ? sign * unfolded_mm : along[axis];
-        uv[axis] = 0.5 + mm / PLATE_MM[axis];
+/* Where a lamp stands: an azimuth from the camera's, an elevation, and a distance from the scene's target. */
+static Vec lamp_place(const Scene *scene, const Camera *camera, double azimuth_deg, double elevation_deg,
+                      double distance) {
+    const Vec to_camera = vec_sub(camera->position, scene->target);
+    const double azimuth = atan2(to_camera.y, to_camera.x) + radians(azimuth_deg),
+                 elevation = radians(elevation_deg);
+    const Vec direction = vec(cos(elevation) * cos(azimuth), cos(elevation) * sin(azimuth), sin(elevation));
+    return vec_along(scene->target, distance, direction);
+}
+
+/* A flash beside the camera, and a dim large soft box across the scene, both of which go where the camera goes. */
+static void add_lamps(const Scene *scene, const Camera *camera, Lights *lights) {
+    const double distance = vec_length(vec_sub(camera->position, scene->target));
+
+    /* A hand's breadth beside the lens. */
+    const Lamp flash = {.centre = vec_along(camera->position, 0.05 * distance, vec_unit(camera->right)),
+                        .towards = scene->target,
+                        .width = 0.02 * distance,
+                        .height = 0.02 * distance,
+                        .columns = 1,
+                        .rows = 1,
+                        .radiance = {3200.0, 3250.0, 3300.0},
+                        .fade = 1.0};
+    lights_add(lights, &flash);
+
+    /* About where a mirror in the plate's place would show it to the camera, so that it gives the metal its sheen. */
+    const Lamp soft_box = {.centre = lamp_place(scene, camera, 200.0, 72.0, distance),
+                           .towards = scene->target,
+                           .width = 0.9 * distance,
+                           .height = 0.6 * distance,
+                           .columns = 5,
+                           .rows = 3,
+                           .radiance = {0.15, 0.18, 0.23},
+                           .fade = 0.1};
+    lights_add(lights, &soft_box);
+
+    /* The room's four walls, far away and dim: what the plate's own sides mirror. */
+    for (int wall = 0; wall < 4; wall++) {
+        const Lamp room = {.centre = lamp_place(scene, camera, 45.0 + 90.0 * wall, 10.0, 3.0 * distance),
+                           .towards = scene->target,
+                           .width = 6.0 * distance,
+                           .height = 2.0 * distance,
+                           .columns = 2,
+                           .rows = 1,
+                           .radiance = {0.05, 0.06, 0.07},
+                           .fade = 1.0};
+        lights_add(lights, &room);
     }
 }
 
-/* The strip on one side (0: +x, 1: +y, 2: -x, 3: -y) between two rectangles, each given by its half sizes and
-   height and by how far its border lies from the middle of the unfolded plate. */
-typedef struct Ring {
-    double half_mm[2], z_mm, unfolded_mm[2];
-} Ring;
-
-static Vec ring_corner(const Ring *ring, double sign_x, double sign_y) {
-    return vec(sign_x * ring->half_mm[0] / MM_PER_UNIT, sign_y * ring->half_mm[1] / MM_PER_UNIT,
-               ring->z_mm / MM_PER_UNIT);
-}
-
-static void add_strip(Mesh *mesh, unsigned face, const Ring *inner, const Ring *outer, int side) {
-    static const double signs[4][2][2] = {
-        {{1, -1}, {1, 1}}, {{1, 1}, {-1, 1}}, {{-1, 1}, {-1, -1}}, {{-1, -1}, {1, -1}}};
-    const double (*s)[2] = signs[side];
-    const Vec corners[4] = {ring_corner(outer, s[0][0], s[0][1]), ring_corner(outer, s[1][0], s[1][1]),
-                            ring_corner(inner, s[1][0], s[1][1]), ring_corner(inner, s[0][0], s[0][1])};
-    double uv[4][2];
-    for (int i = 0; i < 4; i++) unfold(corners[i], (i < 2 ? outer : inner)->unfolded_mm[side % 2], side, uv[i]);
-    mesh_add_quad(mesh, face, corners, uv);
-}
-
-static bool plate_mesh(Mesh *mesh) {
-    if (!mesh_init(mesh, 9)) return false;
-    const double hx = PLATE_MM[0] / 2, hy = PLATE_MM[1] / 2, top = PLATE_MM[2], b = BEVEL_MM, slope = b * sqrt(2.0);
-    const double wall = top - b;
-    const Ring face = {{hx - b, hy - b}, top, {hx - b, hy - b}};
-    const Ring rim = {{hx, hy}, top - b, {hx - b + slope, hy - b + slope}};
-    const Ring foot = {{hx, hy}, 0.0, {hx - b + slope + wall, hy - b + slope + wall}};
-
-    const Vec corners[4] = {ring_corner(&face, -1, -1), ring_corner(&face, 1, -1), ring_corner(&face, 1, 1),
-                            ring_corner(&face, -1, 1)};
-    double uv[4][2];
-    for (int i = 0; i < 4; i++) {
-        uv[i][0] = 0.5 + corners[i].x * MM_PER_UNIT / PLATE_MM[0];
-        uv[i][1] = 0.5 + corners[i].y * MM_PER_UNIT / PLATE_MM[1];
-    }
-    mesh_add_quad(mesh, FACE_TOP, corners, uv);
-    for (int side = 0; side < 4; side++) {
-        add_strip(mesh, FACE_EDGES + (unsigned)side, &face, &rim, side);
-        add_strip(mesh, FACE_EDGES + 4 + (unsigned)side, &rim, &foot, side);
-    }
-    return true;
-}
-
-/* The dark table top that the plate lies on. */
-static bool ground_mesh(Mesh *mesh) {
-    if (!mesh_init(mesh, 1)) return false;
-    const double h = 400.0;
-    const Vec corners[4] = {vec(-h, -h, 0), vec(h, -h, 0), vec(h, h, 0), vec(-h, h, 0)};
-    double uv[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    mesh_add_quad(mesh, FACE_GROUND, corners, uv);
-    mesh->albedo[0] = 0.030;
-    mesh->albedo[1] = 0.032;
-    mesh->albedo[2] = 0.036;
-    return true;
+static View view(const char *name, double heading_deg, double elevation_deg, double roll_deg, double width_deg) {
+    return (View){.name = name,
+                  .heading_deg = heading_deg,
+                  .elevation_deg = elevation_deg,
+                  .roll_deg = roll_deg,
+                  .distance = 14.0,
+                  .width_deg = width_deg};
 }
 
 bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->mm_per_unit = MM_PER_UNIT;
     scene->target = vec(0.0, 0.0, PLATE_MM[2] / MM_PER_UNIT);
-    scene->judged_face = FACE_TOP;
+    scene->judged_face = SLAB_TOP;
     scene->exposure = 1.3;
     /* Camera and flash go round the plate together. First they look along the scratches, which throw the flash
        aside; then across them and from high up, so that even the weakest is steep enough to throw it back; then
        from the other side and lower, where the weakest is not. */
-    scene->views[0] = (View){"plate-1", -20.0, 66.0, 0.0, 14.0, 29.0};
-    scene->views[1] = (View){"plate-2", 84.0, 71.0, -72.0, 14.0, 29.5};
-    scene->views[2] = (View){"plate-3", -89.0, 65.0, -8.0, 14.0, 27.5};
+    scene->views[0] = view("plate-1", -20.0, 66.0, 0.0, 29.0);
+    scene->views[1] = view("plate-2", 84.0, 71.0, -72.0, 29.5);
+    scene->views[2] = view("plate-3", -89.0, 65.0, -8.0, 27.5);
     scene->view_count = 3;
+    scene->sheet = "contact-sheet";
+    scene->add_lamps = add_lamps;
 
     StriaePattern *pattern = NULL;
     if (scratch_pattern(&pattern) != STRIAE_STATUS_OK) {
@@ -152,8 +144,12 @@ bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
         return false;
     }
     scene->mesh_count = 2;
-    const bool built = plate_mesh(&scene->meshes[0]) && ground_mesh(&scene->meshes[1]);
+    const Slab plate = {{PLATE_MM[0], PLATE_MM[1], PLATE_MM[2]}, 0.5, MM_PER_UNIT};
+    Mesh *ground = &scene->meshes[1];
+    const bool built = slab_mesh(&scene->meshes[0], &plate) && prop_table(ground, 400.0, 0.0);
     scene->meshes[0].pattern = pattern;
+    const double dark[3] = {0.030, 0.032, 0.036};
+    for (int c = 0; c < 3; c++) ground->albedo[c] = dark[c];
     if (!built) snprintf(error, SCENE_ERROR_SIZE, "out of memory");
     return built;
 }
