@@ -39,7 +39,8 @@ static void write_axes(const Chart *chart, FILE *file) {
         snprintf(label, sizeof label, "%g", y);
         text(file, LEFT - 8, place_y(chart, y) + 5, "end", label);
     }
-    if (chart->y_mark > 0.0) line(file, LEFT, place_y(chart, chart->y_mark), right, place_y(chart, chart->y_mark), "#999");
+    if (chart->y_mark > 0.0)
+        line(file, LEFT, place_y(chart, chart->y_mark), right, place_y(chart, chart->y_mark), "#999");
     text(file, 0.5 * (LEFT + right), HEIGHT - 15, "middle", chart->x_name);
     text(file, LEFT, 25, "start", chart->title);
     fprintf(file, "<text transform=\"translate(22 %.1f) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",

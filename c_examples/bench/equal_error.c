@@ -7,6 +7,7 @@
 #include "chart.h"
 #include "errors.h"
 #include "methods.h"
+#include "table.h"
 
 enum { WIDTH = 320, SCRATCHES = 500, REFERENCE_SAMPLES = 256, MAPS = 3, MOST_SAMPLES = 256, ROUNDS = 5 };
 
@@ -23,6 +24,7 @@ typedef struct Course {
 } Course;
 
 typedef struct Bench {
+    Table table;
     Plate plate;
     Relief relief;
     Film reference, film, other;
@@ -59,18 +61,18 @@ static void follow(Bench *bench, const Method *method, const char *name, double 
     course->seconds = seconds_to(curve, WANTED);
 }
 
-static void print_course(const Course *course) {
-    printf("%-20s", course->curve.name);
+static void print_course(const Bench *bench, const Course *course) {
+    table_say(&bench->table, "%-20s", course->curve.name);
     for (int i = 0; i < course->curve.count; i++)
-        printf("  %4u: %7.3f s %6.2f %%", course->samples[i], course->curve.x[i], 100.0 * course->curve.y[i]);
-    printf("\n%-20s  ", "");
+        table_say(&bench->table, "  %4u: %7.3f s %6.2f %%", course->samples[i], course->curve.x[i],
+                  100.0 * course->curve.y[i]);
+    table_say(&bench->table, "\n%-20s  ", "");
     if (isfinite(course->seconds)) {
-        printf("1 %% after %.3f s", course->seconds);
+        table_say(&bench->table, "1 %% after %.3f s", course->seconds);
     } else {
-        printf("1 %% is not reached; %.2f %% at best", 100.0 * course->least);
+        table_say(&bench->table, "1 %% is not reached; %.2f %% at best", 100.0 * course->least);
     }
-    printf("; %.1f MB\n", course->megabytes);
-    fflush(stdout);
+    table_say(&bench->table, "; %.1f MB\n", course->megabytes);
 }
 
 /* What the reference misses of explicit geometry, beyond what chance does: two of its pictures know. */
@@ -121,13 +123,17 @@ static bool compare(Bench *bench, Figures *figures, const char *folder) {
     const Method library = method_library(&bench->plate), geometry = method_geometry(&bench->plate, &bench->relief);
     striae_pattern_memory(bench->plate.pattern, &bytes);
     render(&library, REFERENCE_SAMPLES, 0, &bench->reference);
-    printf("\nEqual error: %d scratches on a plate of %.0f by %.0f mm, %d by %d pixels, one lamp. Samples per pixel, seconds and\n"
-           "relative RMS error against the library's own picture of %d samples per pixel, which misses %.2f %% (RMS) of what explicit geometry shows\n\n",
-           SCRATCHES, bench->plate.width_mm, bench->plate.height_mm, bench->film.width, bench->film.height, REFERENCE_SAMPLES, 100.0 * misses(bench, &geometry));
+    table_say(&bench->table,
+              "Equal error: %d scratches on a plate of %.0f by %.0f mm, %d by %d pixels, one lamp. Samples per "
+              "pixel, seconds and\n"
+              "relative RMS error against the library's own picture of %d samples per pixel, which misses %.2f %% "
+              "(RMS) of what explicit geometry shows\n\n",
+              SCRATCHES, bench->plate.width_mm, bench->plate.height_mm, bench->film.width, bench->film.height,
+              REFERENCE_SAMPLES, 100.0 * misses(bench, &geometry));
     follow(bench, &library, "library", 1e-6 * (double)bytes, &courses[0]);
-    print_course(&courses[0]);
+    print_course(bench, &courses[0]);
     follow(bench, &geometry, "explicit geometry", 1e-6 * (double)bench->relief.bytes, &courses[1]);
-    print_course(&courses[1]);
+    print_course(bench, &courses[1]);
     for (int i = 0; i < MAPS; i++) {
         NormalMap map;
         char name[32];
@@ -135,11 +141,12 @@ static bool compare(Bench *bench, Figures *figures, const char *folder) {
         const Method method = method_normal_map(&bench->plate, &map);
         snprintf(name, sizeof name, "normal map %uk", MAP_TEXELS[i] / 1024);
         follow(bench, &method, name, 1e-6 * (double)normal_map_bytes(&map), &courses[2 + i]);
-        print_course(&courses[2 + i]);
+        print_course(bench, &courses[2 + i]);
         normal_map_free(&map);
     }
     const double own = courses[0].seconds, of_maps = map_seconds(&courses[2]);
-    printf("explicit geometry takes %.0f times as long, the best normal map %.0f times\n", courses[1].seconds / own, of_maps / own);
+    table_say(&bench->table, "explicit geometry takes %.0f times as long, the best normal map %.0f times\n",
+              courses[1].seconds / own, of_maps / own);
     figures_set(figures, "equal_error_vs_geometry", courses[1].seconds / own);
     figures_set(figures, "equal_error_vs_normal_map", of_maps / own);
     figures_set(figures, "equal_error_normal_map_16k_least", courses[1 + MAPS].least);
@@ -149,7 +156,8 @@ static bool compare(Bench *bench, Figures *figures, const char *folder) {
 bool equal_error_run(Figures *figures, const char *folder) {
     char error[SCENE_ERROR_SIZE] = "out of memory";
     Bench *bench = calloc(1, sizeof *bench);
-    bool done = bench && plate_init(&bench->plate, WIDTH_MM, WIDTH, error) && plate_scratch(&bench->plate, SCRATCHES) &&
+    bool done = bench && table_open(&bench->table, folder, "equal-error") &&
+                plate_init(&bench->plate, WIDTH_MM, WIDTH, error) && plate_scratch(&bench->plate, SCRATCHES) &&
                 relief_init(&bench->relief, &bench->plate, error);
     if (done) {
         const int width = bench->plate.width, height = bench->plate.height;
@@ -163,6 +171,7 @@ bool equal_error_run(Figures *figures, const char *folder) {
         film_free(&bench->other);
         relief_free(&bench->relief);
         plate_free(&bench->plate);
+        done = table_close(&bench->table) && done;
     }
     free(bench);
     return done;

@@ -39,7 +39,8 @@ bool figures_merge(const Figures *figures, const char *path) {
     if (file) {
         fprintf(file, "{\n");
         for (int i = 0; i < all->count; i++)
-            fprintf(file, "  \"%s\": %.17g%s\n", all->all[i].name, all->all[i].value, i + 1 < all->count ? "," : "");
+            fprintf(file, "  \"%s\": %.17g%s\n", all->all[i].name, all->all[i].value,
+                    i + 1 < all->count ? "," : "");
         fprintf(file, "}\n");
     }
     const bool written = file && fclose(file) == 0;

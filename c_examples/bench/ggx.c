@@ -11,7 +11,8 @@ static float lambda(float alpha2, float cosine) {
     return 0.5f * (sqrtf(1.0f + alpha2 * (1.0f - square) / square) - 1.0f);
 }
 
-void ggx_reflects(const StriaeBrdf *brdf, const float normal[3], const float view[3], const float light[3], float f_cos[3]) {
+void ggx_reflects(const StriaeBrdf *brdf, const float normal[3], const float view[3], const float light[3],
+                  float f_cos[3]) {
     const float n_v = dot(normal, view), n_l = dot(normal, light);
     if (n_v <= 0.0f || n_l <= 0.0f) {
         f_cos[0] = f_cos[1] = f_cos[2] = 0.0f;

@@ -10,12 +10,10 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: %s FOLDER (an existing one)\n", argv[0]);
         return 2;
     }
-    char machine[256], path[4096];
+    char path[4096];
     Figures *figures = calloc(1, sizeof *figures);
     if (!figures) return EXIT_FAILURE;
-    machine_name(machine, sizeof machine);
-    printf("%s\n\n", machine);
-    bool done = overhead_run(figures) && equal_error_run(figures, argv[1]);
+    bool done = overhead_run(figures, argv[1]) && equal_error_run(figures, argv[1]);
     snprintf(path, sizeof path, "%s/bench.json", argv[1]);
     done = done && figures_merge(figures, path);
     free(figures);

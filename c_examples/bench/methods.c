@@ -20,7 +20,8 @@ static double irradiance(const Plate *plate, Vec position, int lamp) {
 }
 
 /* Adds a lamp's light, unless something is in its way. */
-static void add_lamp(const Plate *plate, const Surface *surface, int lamp, const float f_cos[3], double radiance[3]) {
+static void add_lamp(const Plate *plate, const Surface *surface, int lamp, const float f_cos[3],
+                     double radiance[3]) {
     if (trace_blocked(plate->tracer, surface, plate->lamps[lamp])) return;
     const double light = irradiance(plate, surface->position, lamp);
     for (int c = 0; c < 3; c++) radiance[c] += (double)f_cos[c] * light;
@@ -33,7 +34,8 @@ static void light_of(const Plate *plate, Vec position, int lamp, float light[3])
 }
 
 /* A surface whose base BRDF is the renderer's own. */
-static void add_lamps(const Plate *plate, const Surface *surface, const float normal[3], Vec direction, double radiance[3]) {
+static void add_lamps(const Plate *plate, const Surface *surface, const float normal[3], Vec direction,
+                      double radiance[3]) {
     float view[3], light[3], f_cos[3];
     view_of(direction, view);
     for (int i = 0; i < plate->lamp_count; i++) {
@@ -164,7 +166,8 @@ static void add(const Render *picture, const Square *square, double sum[3]) {
 static void add_squares(const Render *picture, int x, int y, double sum[3]) {
     const double size = 1.0 / picture->across;
     for (unsigned i = 0; i < picture->samples; i++) {
-        const Square square = {x + (i % picture->across + 0.5) * size, y + (i / picture->across + 0.5) * size, size};
+        const Square square = {x + (i % picture->across + 0.5) * size, y + (i / picture->across + 0.5) * size,
+                               size};
         add(picture, &square, sum);
     }
 }

@@ -6,8 +6,18 @@
 #include "errors.h"
 #include "methods.h"
 #include "progress.h"
+#include "table.h"
 
-enum { WIDTH = 480, CROP_WIDTH = 96, CROP_HEIGHT = 64, MOST_ROUNDS = 9, LEAST_ROUNDS = 3, COUNTS = 7, SOFT_LAMPS_ACROSS = 4, REFERENCE_SAMPLES = 64 };
+enum {
+    WIDTH = 480,
+    CROP_WIDTH = 96,
+    CROP_HEIGHT = 64,
+    MOST_ROUNDS = 9,
+    LEAST_ROUNDS = 3,
+    COUNTS = 7,
+    SOFT_LAMPS_ACROSS = 4,
+    REFERENCE_SAMPLES = 64
+};
 
 /* What is timed: each once per round, so that whatever else the machine does is shared out among all. */
 enum { PLAIN, LIBRARY, EMPTY, MDG01, BL99, BB90, GEOMETRY, KINDS };
@@ -33,6 +43,7 @@ static const unsigned CROPPED = 5000;
 static const double MOST_SECONDS = 6.0;
 
 typedef struct Bench {
+    Table table;
     Plate plate, empty; /* with the scratches, and with a pattern of none */
     Relief relief;
     StriaeBaseline *systems[KINDS];
@@ -90,7 +101,8 @@ static bool make_system(Bench *bench, int kind, unsigned texels) {
     *system = NULL;
     if (kind == BB90) status = striae_baseline_bb90(pattern, &canvas, 0.1f, 0.9f, 1, system);
     if (kind == BL99) status = striae_baseline_bl99(pattern, &canvas, specular, 40.0f, system);
-    if (kind == MDG01 && plate_two_angles(&scratch)) status = striae_baseline_mdg01(pattern, &canvas, &scratch, system);
+    if (kind == MDG01 && plate_two_angles(&scratch))
+        status = striae_baseline_mdg01(pattern, &canvas, &scratch, system);
     if (status != STRIAE_STATUS_OK) {
         fprintf(stderr, "an earlier system: %s\n", striae_last_error());
         return false;
@@ -111,10 +123,10 @@ static bool choose_texels(Bench *bench, const Film *reference) {
         render(&bench->methods[MDG01], 1, 0, &bench->film);
         errors[i] = relative_rms(&bench->film, reference);
         best = fmin(best, errors[i]);
-        printf("    MDG01, %5u texels across: error %.1f %%", 1024u << i, 100.0 * errors[i]);
+        table_say(&bench->table, "    MDG01, %5u texels across: error %.1f %%", 1024u << i, 100.0 * errors[i]);
         render(&bench->methods[MDG01], 16, 0, &bench->film);
-        printf(", of 16 samples per pixel %.1f %%; image %.1f s, %.0f MB\n",
-               100.0 * relative_rms(&bench->film, reference), bench->seconds[MDG01], bench->megabytes[MDG01]);
+        table_say(&bench->table, ", of 16 samples per pixel %.1f %%; image %.1f s, %.0f MB\n",
+                  100.0 * relative_rms(&bench->film, reference), bench->seconds[MDG01], bench->megabytes[MDG01]);
     }
     int i = 0;
     while (errors[i] > 1.05 * best) i++;
@@ -135,11 +147,13 @@ static bool judge(Bench *bench, Figures *figures) {
     bool judged = choose_texels(bench, &reference);
     if (judged) {
         const double library = error_of(bench, LIBRARY, &reference), mdg01 = error_of(bench, MDG01, &reference);
-        printf("    one sample per pixel against %d of the library: library %.2f %%, MDG01 %.1f %%", REFERENCE_SAMPLES,
-               100.0 * library, 100.0 * mdg01);
-        if (bench->is_there[GEOMETRY]) printf(", geometry %.1f %%", 100.0 * error_of(bench, GEOMETRY, &reference));
-        printf("\n    MDG01 is timed at %u texels; equal quality is reached %s\n", bench->texels,
-               mdg01 <= library ? "there" : "at no size");
+        table_say(&bench->table,
+                  "    one sample per pixel against %d of the library: library %.2f %%, MDG01 %.1f %%",
+                  REFERENCE_SAMPLES, 100.0 * library, 100.0 * mdg01);
+        if (bench->is_there[GEOMETRY])
+            table_say(&bench->table, ", geometry %.1f %%", 100.0 * error_of(bench, GEOMETRY, &reference));
+        table_say(&bench->table, "\n    MDG01 is timed at %u texels; equal quality is reached %s\n", bench->texels,
+                  mdg01 <= library ? "there" : "at no size");
         figures_set(figures, "overhead_error_library_500", library);
         figures_set(figures, "overhead_error_mdg01_500", mdg01);
         figures_set(figures, "overhead_mdg01_texels_500", bench->texels);
@@ -173,21 +187,25 @@ static bool make_all(Bench *bench, unsigned count, Figures *figures) {
     return count != JUDGED || judge(bench, figures);
 }
 
-static const char *const NAMES[KINDS] = {"unscratched", "library", "library, no scratch", "MDG01", "BL99", "BB90", "geometry"};
+static const char *const NAMES[KINDS] = {"unscratched", "library", "library, no scratch", "MDG01", "BL99",
+                                         "BB90",        "geometry"};
 
 static void print_rows(const Bench *bench, unsigned count) {
-    printf("%9u  %-20s %8.2f %10s   (%.0f ns a sample)\n", count, NAMES[PLAIN], 1.0, "1.00", bench->plain_ns);
+    table_say(&bench->table, "%9u  %-20s %8.2f %10s   (%.0f ns a sample)\n", count, NAMES[PLAIN], 1.0, "1.00",
+              bench->plain_ns);
     for (int k = LIBRARY; k < KINDS; k++) {
         if (!bench->is_there[k]) continue;
-        printf("%9s  %-20s %8.2f", "", NAMES[k], bench->ratios[k]);
-        if (bench->soft_ratios[k] > 0.0) printf(" %10.2f", bench->soft_ratios[k]);
+        table_say(&bench->table, "%9s  %-20s %8.2f", "", NAMES[k], bench->ratios[k]);
+        if (bench->soft_ratios[k] > 0.0) table_say(&bench->table, " %10.2f", bench->soft_ratios[k]);
         if (k != EMPTY)
-            printf("%*s %9.2f %9.1f", bench->soft_ratios[k] > 0.0 ? 0 : 11, "", bench->seconds[k], bench->megabytes[k]);
-        printf("\n");
+            table_say(&bench->table, "%*s %9.2f %9.1f", bench->soft_ratios[k] > 0.0 ? 0 : 11, "", bench->seconds[k],
+                      bench->megabytes[k]);
+        table_say(&bench->table, "\n");
     }
     for (int k = MDG01; k < KINDS; k++)
-        if (count > 0 && !bench->is_there[k]) printf("%9s  %-20s left out: it would take gigabytes, or minutes to be made\n", "", NAMES[k]);
-    fflush(stdout);
+        if (count > 0 && !bench->is_there[k])
+            table_say(&bench->table, "%9s  %-20s left out: it would take gigabytes, or minutes to be made\n", "",
+                      NAMES[k]);
 }
 
 static void note(Figures *figures, const char *name, unsigned count, double value) {
@@ -197,8 +215,8 @@ static void note(Figures *figures, const char *name, unsigned count, double valu
 }
 
 static void note_row(Figures *figures, const Bench *bench, unsigned count) {
-    static const char *const names[KINDS] = {NULL, "overhead", NULL, "overhead_mdg01", "overhead_bl99", "overhead_bb90",
-                                             "overhead_geometry"};
+    static const char *const names[KINDS] = {
+        NULL, "overhead", NULL, "overhead_mdg01", "overhead_bl99", "overhead_bb90", "overhead_geometry"};
     note(figures, "overhead_over_empty", count, bench->ratios[LIBRARY] / bench->ratios[EMPTY]);
     note(figures, "overhead_soft_lamp", count, bench->soft_ratios[LIBRARY]);
     note(figures, "overhead_soft_lamp_over_empty", count, bench->soft_ratios[LIBRARY] / bench->soft_ratios[EMPTY]);
@@ -235,22 +253,28 @@ static bool run_count(Bench *bench, unsigned count, Figures *figures) {
     return made;
 }
 
-bool overhead_run(Figures *figures) {
+bool overhead_run(Figures *figures, const char *folder) {
     char error[SCENE_ERROR_SIZE] = "out of memory";
     Bench *bench = calloc(1, sizeof *bench);
-    bool done = bench && plate_init(&bench->plate, WIDTH_MM, WIDTH, error) && plate_init(&bench->empty, WIDTH_MM, WIDTH, error) &&
-                plate_scratch(&bench->empty, 0) && film_init(&bench->film, bench->plate.width, bench->plate.height) &&
+    bool done = bench && table_open(&bench->table, folder, "overhead") &&
+                plate_init(&bench->plate, WIDTH_MM, WIDTH, error) &&
+                plate_init(&bench->empty, WIDTH_MM, WIDTH, error) && plate_scratch(&bench->empty, 0) &&
+                film_init(&bench->film, bench->plate.width, bench->plate.height) &&
                 film_init(&bench->crop, CROP_WIDTH, CROP_HEIGHT);
     if (!done) fprintf(stderr, "overhead: %s\n", error);
     if (done) {
-        printf("What scratches add to a render of a plate of %.0f by %.0f mm: %d by %d pixels, one sample each, lit by a point and\n"
-               "its shadow ray; and by a soft lamp, %d points with a shadow ray each (evaluated at once). Times over that of the\n"
-               "same plate with the renderer's own GGX, which asks the library nothing: the median of rounds in which all take\n"
-               "turns. From %u scratches on, of the middle of the picture.\n\n"
-               "%9s  %-20s %8s %10s %9s %9s\n",
-               bench->plate.width_mm, bench->plate.height_mm, bench->film.width, bench->film.height, SOFT_LAMPS_ACROSS * SOFT_LAMPS_ACROSS, CROPPED,
-               "scratches", "", "a point",
-               "soft lamp", "build s", "MB");
+        table_say(&bench->table,
+                  "What scratches add to a render of a plate of %.0f by %.0f mm: %d by %d pixels, one sample each, "
+                  "lit by a point and\n"
+                  "its shadow ray; and by a soft lamp, %d points with a shadow ray each (evaluated at once). Times "
+                  "over that of the\n"
+                  "same plate with the renderer's own GGX, which asks the library nothing: the median of rounds in "
+                  "which all take\n"
+                  "turns. From %u scratches on, of the middle of the picture.\n\n"
+                  "%9s  %-20s %8s %10s %9s %9s\n",
+                  bench->plate.width_mm, bench->plate.height_mm, bench->film.width, bench->film.height,
+                  SOFT_LAMPS_ACROSS * SOFT_LAMPS_ACROSS, CROPPED, "scratches", "", "a point", "soft lamp",
+                  "build s", "MB");
         bench->texels = USUAL_TEXELS;
         for (int i = 0; i < COUNTS && done; i++) done = run_count(bench, SCRATCHES[i], figures);
     }
@@ -259,6 +283,7 @@ bool overhead_run(Figures *figures) {
         film_free(&bench->crop);
         plate_free(&bench->plate);
         plate_free(&bench->empty);
+        done = table_close(&bench->table) && done;
     }
     free(bench);
     return done;

@@ -3,6 +3,6 @@
 #define BENCH_OVERHEAD_H
 #include "figures.h"
 
-/* Prints the table and notes its figures; false, with a reason on stderr, where it cannot be done. */
-bool overhead_run(Figures *figures);
+/* Prints the table, also to FOLDER/overhead.txt, and notes its figures; false, with a reason on stderr, where it cannot be done. */
+bool overhead_run(Figures *figures, const char *folder);
 #endif

@@ -32,7 +32,11 @@ bool plate_init(Plate *plate, double width_mm, int width, char error[SCENE_ERROR
                      .height_mm = 0.75 * width_mm,
                      .metal = plate_material().surface,
                      .scene = {.name = "plate", .mm_per_unit = 1.0, .judged_face = 1},
-                     .view = {.name = "plate", .heading_deg = -90.0, .elevation_deg = 65.0, .distance = 2.3 * width_mm, .width_deg = 20.0},
+                     .view = {.name = "plate",
+                              .heading_deg = -90.0,
+                              .elevation_deg = 65.0,
+                              .distance = 2.3 * width_mm,
+                              .width_deg = 20.0},
                      .lamp_elevation_deg = 52.0,
                      .width = width,
                      .height = width * 3 / 4};
@@ -47,8 +51,10 @@ bool plate_init(Plate *plate, double width_mm, int width, char error[SCENE_ERROR
 }
 
 void plate_light(Plate *plate, int across) {
-    const double heading = radians(70.0), up = radians(plate->lamp_elevation_deg), distance = 4.0 * plate->width_mm, side = 0.2 * distance;
-    const Vec middle = vec(distance * cos(up) * cos(heading), distance * cos(up) * sin(heading), distance * sin(up));
+    const double heading = radians(70.0), up = radians(plate->lamp_elevation_deg), distance = 4.0 * plate->width_mm,
+                 side = 0.2 * distance;
+    const Vec middle =
+        vec(distance * cos(up) * cos(heading), distance * cos(up) * sin(heading), distance * sin(up));
     const Vec right = vec(-sin(heading), cos(heading), 0.0), above = vec_cross(vec_unit(middle), right);
     plate->lamp_count = across * across;
     for (int i = 0; i < plate->lamp_count; i++) {
@@ -67,7 +73,8 @@ static StriaeGenerator straight(unsigned count) {
     StriaeGenerator generator = {.struct_size = sizeof generator};
     striae_generator_preset(STRIAE_STYLE_STRAIGHT, &generator);
     generator.count = count;
-    generator.force_kgf = (StriaeDistribution){.kind = STRIAE_DISTRIBUTION_KIND_UNIFORM, .from = PLATE_FORCE_KGF, .to = PLATE_FORCE_KGF};
+    generator.force_kgf = (StriaeDistribution){
+        .kind = STRIAE_DISTRIBUTION_KIND_UNIFORM, .from = PLATE_FORCE_KGF, .to = PLATE_FORCE_KGF};
     generator.depth_law = STRIAE_DEPTH_LAW_SCRATCH_HARDNESS;
     generator.taper[0] = generator.taper[1] = 0.0;
     return generator;
@@ -76,8 +83,9 @@ static StriaeGenerator straight(unsigned count) {
 bool plate_scratch(Plate *plate, unsigned count) {
     const double started = seconds_now();
     const StriaeMaterial titanium = plate_material();
-    const StriaePatternOptions options = {
-        .struct_size = sizeof options, .mm_per_scene_unit = 1.0, .units_per_uv = {plate->width_mm, plate->height_mm}};
+    const StriaePatternOptions options = {.struct_size = sizeof options,
+                                          .mm_per_scene_unit = 1.0,
+                                          .units_per_uv = {plate->width_mm, plate->height_mm}};
     const StriaeGenerator generator = straight(count);
     StriaeTool *pyramid = NULL;
     StriaePatternBuilder *builder = NULL;
@@ -85,7 +93,8 @@ bool plate_scratch(Plate *plate, unsigned count) {
     bool made = striae_tool_preset(STRIAE_TOOL_PRESET_VICKERS, &pyramid) == STRIAE_STATUS_OK &&
                 striae_pattern_builder_new(&titanium, &options, &builder) == STRIAE_STATUS_OK;
     if (count > 0)
-        made = made && striae_pattern_builder_generate(builder, &generator, pyramid, NULL, SEED) == STRIAE_STATUS_OK;
+        made =
+            made && striae_pattern_builder_generate(builder, &generator, pyramid, NULL, SEED) == STRIAE_STATUS_OK;
     made = made && striae_pattern_builder_build(builder, &pattern) == STRIAE_STATUS_OK;
     striae_pattern_builder_free(builder);
     striae_tool_release(pyramid);
@@ -103,8 +112,9 @@ void plate_free(Plate *plate) {
 
 bool plate_two_angles(StriaeTwoAngles *scratch) {
     const StriaeMaterial titanium = plate_material();
-    const StriaeProcess process = {
-        .struct_size = sizeof process, .depth_law = STRIAE_DEPTH_LAW_SCRATCH_HARDNESS, .force_kgf = PLATE_FORCE_KGF};
+    const StriaeProcess process = {.struct_size = sizeof process,
+                                   .depth_law = STRIAE_DEPTH_LAW_SCRATCH_HARDNESS,
+                                   .force_kgf = PLATE_FORCE_KGF};
     StriaeCrossSectionInfo info = {.struct_size = sizeof info};
     StriaeTool *pyramid = NULL;
     StriaeCrossSection *section = NULL;
@@ -126,6 +136,5 @@ bool plate_two_angles(StriaeTwoAngles *scratch) {
 }
 
 StriaeCanvas plate_canvas(unsigned texels) {
-    return (StriaeCanvas){.area_uv = {{0.0, 0.0}, {1.0, 1.0}},
-                          .texels = {texels, texels * 3 / 4}};
+    return (StriaeCanvas){.area_uv = {{0.0, 0.0}, {1.0, 1.0}}, .texels = {texels, texels * 3 / 4}};
 }

@@ -10,14 +10,14 @@ enum { PLATE_MAX_LAMPS = 16 };
 
 typedef struct Plate {
     double width_mm, height_mm; /* four to three */
-    StriaePattern *pattern; /* the flat mesh's own; NULL without one */
+    StriaePattern *pattern;     /* the flat mesh's own; NULL without one */
     StriaeBrdf metal;
     double build_seconds;
     Scene scene; /* the flat plate, in mm, its middle at the origin */
     Tracer *tracer;
     View view;
     Camera camera;
-    int width, height; /* of the picture */
+    int width, height;          /* of the picture */
     double lamp_elevation_deg;  /* above the plate: counts when a lamp is put up */
     Vec lamps[PLATE_MAX_LAMPS]; /* points */
     int lamp_count;

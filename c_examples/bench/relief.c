@@ -56,7 +56,8 @@ bool relief_init(Relief *relief, const Plate *plate, char error[SCENE_ERROR_SIZE
     snprintf(error, SCENE_ERROR_SIZE, "out of memory");
     relief->tracer = copied ? tracer_new(&relief->scene, error) : NULL;
     const size_t after = resident(), own = relief->scene.meshes[0].triangle_count * sizeof(unsigned[3]);
-    relief->bytes = own + relief->scene.meshes[0].vertex_count * sizeof(Vec) + (after > before ? after - before : 0);
+    relief->bytes =
+        own + relief->scene.meshes[0].vertex_count * sizeof(Vec) + (after > before ? after - before : 0);
     relief->build_seconds = seconds_now() - started;
     return relief->tracer != NULL;
 }
@@ -159,8 +160,9 @@ size_t normal_map_bytes(const NormalMap *map) { return (size_t)map->columns * (s
 void normal_map_at(const NormalMap *map, const double uv[2], float normal[3]) {
     const float x = (float)(uv[0] * map->columns - 0.5), y = (float)(uv[1] * map->rows - 0.5);
     const float floor_x = floorf(x), floor_y = floorf(y), share_x = x - floor_x, share_y = y - floor_y;
-    const int x0 = clamp_int((double)floor_x, 0, map->columns - 2), y0 = clamp_int((double)floor_y, 0, map->rows - 2);
-    const int16_t (*row)[2] = (const int16_t (*)[2])&map->xy[(size_t)y0 * (size_t)map->columns + (size_t)x0];
+    const int x0 = clamp_int((double)floor_x, 0, map->columns - 2),
+              y0 = clamp_int((double)floor_y, 0, map->rows - 2);
+    const int16_t (*row)[2] = (const int16_t (*)[2]) & map->xy[(size_t)y0 * (size_t)map->columns + (size_t)x0];
     const int16_t (*next)[2] = row + map->columns;
     float square = 0.0f;
     for (int i = 0; i < 2; i++) {

@@ -33,7 +33,8 @@ static bool draw_loops(const Hand *hand, double u, double v) {
 
 static bool draw_bow(const Hand *hand, int number) {
     const double v = 0.08 + 0.035 * number, sag = 0.10 + 0.015 * number;
-    const double points[5][2] = {{0.10, v}, {0.30, v + 0.7 * sag}, {0.52, v + sag}, {0.72, v + 0.75 * sag}, {0.93, v + 0.1 * sag}};
+    const double points[5][2] = {
+        {0.10, v}, {0.30, v + 0.7 * sag}, {0.52, v + sag}, {0.72, v + 0.75 * sag}, {0.93, v + 0.1 * sag}};
     return draw(hand, points, 5);
 }
 
@@ -52,8 +53,9 @@ static bool draw_all(const Hand *hand) {
 
 bool curves_scratch(Plate *plate) {
     const StriaeMaterial titanium = plate_material();
-    const StriaePatternOptions options = {
-        .struct_size = sizeof options, .mm_per_scene_unit = 1.0, .units_per_uv = {plate->width_mm, plate->height_mm}};
+    const StriaePatternOptions options = {.struct_size = sizeof options,
+                                          .mm_per_scene_unit = 1.0,
+                                          .units_per_uv = {plate->width_mm, plate->height_mm}};
     Hand hand = {0};
     StriaePattern *pattern = NULL;
     const bool made = striae_tool_preset(STRIAE_TOOL_PRESET_VICKERS, &hand.tool) == STRIAE_STATUS_OK &&

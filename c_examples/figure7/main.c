@@ -10,7 +10,18 @@
 #include "methods.h"
 #include "tiles.h"
 
-enum { LEAST_WIDTH = 64, USUAL_WIDTH = 400, MOST_WIDTH = 2000, SAMPLES = 16, GUTTER = 6, ROWS = 2, COLUMNS = 4, PATH_SIZE = 4096, TEXELS = 1024, LAMPS_ACROSS = 4 };
+enum {
+    LEAST_WIDTH = 64,
+    USUAL_WIDTH = 400,
+    MOST_WIDTH = 2000,
+    SAMPLES = 16,
+    GUTTER = 6,
+    ROWS = 2,
+    COLUMNS = 4,
+    PATH_SIZE = 4096,
+    TEXELS = 1024,
+    LAMPS_ACROSS = 4
+};
 
 static const double WIDTH_MM = 100.0, EXPOSURE = 2.0, LAMP_ELEVATION_DEG = 28.0;
 /* How much nearer the second view is, and what it looks at: a place where loops cross, mm from the plate's middle. */
@@ -43,11 +54,12 @@ static void go_near(Plate *plate) {
 
 static void put(const Film *film, Film *sheet, int left, int above) {
     for (int y = 0; y < film->height; y++)
-        memcpy(sheet->rgb[(size_t)(above + y) * (size_t)sheet->width + (size_t)left], film->rgb[(size_t)y * (size_t)film->width],
-               (size_t)film->width * sizeof film->rgb[0]);
+        memcpy(sheet->rgb[(size_t)(above + y) * (size_t)sheet->width + (size_t)left],
+               film->rgb[(size_t)y * (size_t)film->width], (size_t)film->width * sizeof film->rgb[0]);
 }
 
-static bool draw_row(const Plate *plate, StriaeBaseline *systems[COLUMNS], int row, const char *folder, Film *film, Film *sheet) {
+static bool draw_row(const Plate *plate, StriaeBaseline *systems[COLUMNS], int row, const char *folder, Film *film,
+                     Film *sheet) {
     for (int column = 0; column < COLUMNS; column++) {
         const Method method = column == 0 ? method_library(plate) : method_baseline(plate, systems[column]);
         char path[PATH_SIZE];
@@ -73,7 +85,8 @@ static bool draw_all(Plate *plate, const char *folder, Film *film, Film *sheet) 
     snprintf(path, sizeof path, "%s/figure-7.png", folder);
     const char *failure = film_write_png(sheet, EXPOSURE, path);
     if (failure) return complain(path, failure);
-    printf("picture: %s: far and near, from left to right curves, MDG01 (an image of %d texels across), BL99 and BB90\n"
+    printf("picture: %s: far and near, from left to right curves, MDG01 (an image of %d texels across), BL99 and "
+           "BB90\n"
            "(straight lines from end to end); as EXR in %s/figure-7/\n",
            path, TEXELS, folder);
     return true;
@@ -102,7 +115,8 @@ int main(int argc, char **argv) {
     const int width = argc > 2 ? parse_width(argv[2]) : USUAL_WIDTH;
     char error[SCENE_ERROR_SIZE];
     if (argc > 3 || folder[0] == '\0' || folder[0] == '-' || width == 0) {
-        fprintf(stderr, "usage: striae_figure7 [FOLDER [WIDTH]], WIDTH of each picture from %d to %d\n", LEAST_WIDTH, MOST_WIDTH);
+        fprintf(stderr, "usage: striae_figure7 [FOLDER [WIDTH]], WIDTH of each picture from %d to %d\n",
+                LEAST_WIDTH, MOST_WIDTH);
         return 2;
     }
     if (!make_folders(folder)) return EXIT_FAILURE;

@@ -30,7 +30,8 @@ static void unscratched_agrees(void) {
 }
 
 static void geometry_agrees(void) {
-    protects("explicit geometry, and normal maps the finer the better, come to the picture that the library filters");
+    protects(
+        "explicit geometry, and normal maps the finer the better, come to the picture that the library filters");
     char error[SCENE_ERROR_SIZE];
     EXPECT(plate_scratch(&plate, SCRATCHES));
     if (!EXPECT(relief_init(&relief, &plate, error))) return;
@@ -87,7 +88,8 @@ static void figures_stay(void) {
     fclose(file);
     text[length] = '\0';
     double kept = 0.0, added = 0.0;
-    EXPECT(sscanf(text, "{\n  \"a_new_one\": %lf,\n  \"build_1m_s\": %lf,\n  \"overhead_5\": 1.25\n}\n", &added, &kept) == 2);
+    EXPECT(sscanf(text, "{\n  \"a_new_one\": %lf,\n  \"build_1m_s\": %lf,\n  \"overhead_5\": 1.25\n}\n", &added,
+                  &kept) == 2);
     EXPECT(kept == 7.468534461 && added == 1e-7);
     EXPECT(!figures_merge(&figures, "/proc/nowhere/bench.json"));
     remove(path);
