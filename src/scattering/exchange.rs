@@ -55,10 +55,6 @@ impl<const CORNERS: usize> Exchange<CORNERS> {
     }
 
     /// Of a cross-section of no more vertices than there is room for beside the flat surface.
-    #[expect(
-        clippy::large_stack_arrays,
-        reason = "46 KB at most; nothing may allocate while shading"
-    )]
     pub(crate) fn new(xs: &[f32], zs: &[f32]) -> Self {
         let mut corners = [DVec2::ZERO; CORNERS];
         let vertices = xs.len().min(CORNERS - 2 * FLATS);

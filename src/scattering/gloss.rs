@@ -14,7 +14,7 @@ use glam::{Vec2, Vec3};
 const LEANINGS: usize = 16;
 
 /// Places on each of two facets, as shares of it.
-const PLACES: [f32; 2] = [0.211_324_87, 0.788_675_13];
+const PLACES: [f32; 2] = [0.211_324_87, 0.788_675_1];
 
 /// A zone that fills less of what another sees is not worth the look: its light counts as scattered evenly.
 const LEAST_SHARE: f32 = 1e-4;
@@ -49,7 +49,7 @@ impl Shading {
         let is_glossy = |i: usize| finishes[number[i] as usize].kind() != Lobe::Diffuse;
         let mut leanings = [const { [const { None }; MOST_FINISHES] }; MOST_FINISHES];
         let strip = |i: usize| strip_of(exchange, i, &finishes[number[i] as usize]);
-        for near in 0..exchange.facets {
+        for (near, more) in more.iter_mut().enumerate().take(exchange.facets) {
             let own = strip(near);
             if Vec2::from(own.normal).dot(Vec2::new(pair.view.x, pair.view.z)) <= 0.0 {
                 continue;
@@ -70,7 +70,7 @@ impl Shading {
                     &[0.5]
                 };
                 let passed_on = passed_on(&own, &other, places, leanings, pair);
-                more[near] += share * direct[far] * (passed_on - even);
+                *more += share * direct[far] * (passed_on - even);
             }
         }
         more
