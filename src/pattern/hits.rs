@@ -12,6 +12,7 @@ use super::track::MOST_VERTICES;
 use crate::error::Result;
 use crate::single;
 use arrayvec::ArrayVec;
+use core::ops::ControlFlow;
 use glam::DVec2;
 
 /// Runs of scratch that are cut against one another; among more, each counts with the share that later
@@ -92,7 +93,10 @@ impl Pattern {
             current: None,
         };
         if !listing.add_cut(&candidates) {
-            self.for_each_run(&candidates, &reach, &mut |run| listing.add_average(run));
+            self.for_each_run(&candidates, &reach, &mut |run| {
+                listing.add_average(run);
+                ControlFlow::Continue(())
+            });
         }
         listing.close();
         Ok(listing.found)
@@ -225,7 +229,12 @@ impl Listing<'_> {
         let mut all = true;
         let (pattern, reach) = (self.pattern, self.reach);
         pattern.for_each_run(candidates, reach, &mut |run| {
-            all &= run.cover.is_none() || runs.try_push(*run).is_ok();
+            all = run.cover.is_none() || runs.try_push(*run).is_ok();
+            if all {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
         });
         if !all {
             return false;

@@ -11,6 +11,7 @@ use super::query::{Candidates, Reach, hull};
 use super::region::Region;
 use super::tracks::TrackRef;
 use crate::formation::End;
+use core::ops::ControlFlow;
 use glam::DVec2;
 
 /// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
@@ -57,12 +58,13 @@ impl Pattern {
         })
     }
 
-    /// Calls `visit` with each run of scratch, and each sector of its caps, that comes within reach of the footprint.
+    /// Calls `visit` with each run of scratch, and each sector of its caps, that comes within reach of the footprint, until
+    /// it breaks.
     pub(crate) fn for_each_run<'p>(
         &'p self,
         candidates: &Candidates,
         reach: &Reach<'_>,
-        visit: &mut impl FnMut(&Hit<'p>),
+        visit: &mut impl FnMut(&Hit<'p>) -> ControlFlow<()>,
     ) {
         let mm = DVec2::splat(reach.reach_mm);
         let [low, high] = hull(reach.footprint.corners().iter().copied());
@@ -73,9 +75,13 @@ impl Pattern {
             near: [low - mm, high + mm],
             pixel_area: reach.footprint.area(),
             visit,
+            is_over: false,
         };
         let mut pending: Option<Run<'p>> = None;
         for &number in candidates {
+            if walk.is_over {
+                return;
+            }
             let Some(part) = walk.part(number as usize) else {
                 continue;
             };
@@ -190,9 +196,11 @@ struct Walk<'a, 'p, V> {
     near: [DVec2; 2],
     pixel_area: f64,
     visit: &'a mut V,
+    /// Whether it broke.
+    is_over: bool,
 }
 
-impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
+impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
     fn part(&self, number: usize) -> Option<Part<'p>> {
         let piece = self.curves.pieces.get(number)?;
         let (track, course) = self.pattern.strand(piece.scratch)?;
@@ -279,6 +287,9 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
 
     /// Halves a part until its parts are runs; those out of reach are left out.
     fn divide(&mut self, part: &Part<'p>, halvings: u32) {
+        if self.is_over {
+            return;
+        }
         let [from, to] = bounds(&part.control);
         if !(from.cmple(self.near[1]).all() && to.cmpge(self.near[0]).all()) {
             return;
@@ -304,6 +315,10 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
             &part_of(second, [middle, to], [parting, part.parting[1]]),
             halvings - 1,
         );
+    }
+
+    fn tell(&mut self, hit: &Hit<'p>) {
+        self.is_over = self.is_over || (self.visit)(hit).is_break();
     }
 
     fn emit(&mut self, run: &Run<'p>) {
@@ -343,7 +358,7 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
             visible: self.pattern.visible_share(first.number),
         };
         hit.cut_cover();
-        (self.visit)(&hit);
+        self.tell(&hit);
     }
 
     /// The place in the middle of what a region holds of a run, and the mean cross-section there. How much of the
@@ -448,7 +463,7 @@ impl<'p, V: FnMut(&Hit<'p>)> Walk<'_, 'p, V> {
                 visible,
             };
             hit.cut_cover();
-            (self.visit)(&hit);
+            self.tell(&hit);
         }
     }
 

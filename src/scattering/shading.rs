@@ -10,6 +10,7 @@ use crate::pattern::{
 };
 use crate::single;
 use arrayvec::ArrayVec;
+use core::ops::ControlFlow;
 use glam::{DVec2, Vec3};
 
 /// The shift of relief against the plane at a grazing view is followed to this many times its height.
@@ -177,7 +178,12 @@ impl Shading {
         pattern.for_each_run(candidates, reach, &mut |hit| {
             beside += usize::from(hit.cover.is_none());
             if hit.cover.is_some() || beside <= most_beside {
-                all &= hits.try_push(*hit).is_ok();
+                all = hits.try_push(*hit).is_ok();
+            }
+            if all {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
             }
         });
         if !all {
