@@ -212,7 +212,7 @@ static void three_ways(void) {
     const Pixels black = {{0.0}}, shared = draw(&room.stage, 128, 1, PATHS_SHARED);
     const double mean = mean_above(&shared, &black).value;
     for (PathStrategy way = PATHS_BY_LIGHTS; way <= PATHS_BY_SURFACES; way++) {
-        const Pixels pixels = draw(&room.stage, 1024, 1, way);
+        const Pixels pixels = draw(&room.stage, 512, 1, way);
         const Mean above = mean_above(&pixels, &shared);
         printf("  %.5f above %.5f, by chance %.5f\n", above.value, mean, above.deviation);
         EXPECT(fabs(above.value) < 3.5 * above.deviation && above.deviation < 0.006 * mean);

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-const double LETTER_GAP = 0.22;
+const double LETTER_GAP = 0.28;
 
 /* In hundredths of the height: M begins a stroke, L a straight line to a place, C a curve by two guides to a place. */
 static const struct {

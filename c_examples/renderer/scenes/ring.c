@@ -10,7 +10,7 @@ enum { FACE_RING = 1, ROUND = 128, PROFILE = 36, STROKE_KEYS = 9 };
 
 /* "What is written remains." */
 static const char INSCRIPTION[] = "SCRIPTA MANENT";
-static const double LETTER_MM = 1.72;
+static const double LETTER_MM = 1.66;
 
 static const double RADIUS_MM = 10.2, HALF_THICK_MM = 0.95, HALF_WIDE_MM = 3.1;
 
