@@ -64,8 +64,13 @@ struct Visible {
 }
 
 impl Pattern {
-    /// Calls `visit` with the chords of a piece and of its caps.
-    pub(super) fn for_each_chord(&self, number: usize, mut visit: impl FnMut(&Chord<'_>)) {
+    /// Calls `visit` with the chords of a piece and of those of its caps that stand at a place, (u, v), that `holds`.
+    pub(super) fn for_each_chord(
+        &self,
+        number: usize,
+        holds: impl Fn(DVec2) -> bool,
+        mut visit: impl FnMut(&Chord<'_>),
+    ) {
         let curves = self.curves();
         let Some((track, course)) = curves
             .pieces
@@ -110,7 +115,7 @@ impl Pattern {
             }
             first_t = last_t;
         }
-        self.for_each_cap_chord(number, visible, &mut visit);
+        self.for_each_cap_chord(number, visible, holds, &mut visit);
     }
 
     /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis.
@@ -118,6 +123,7 @@ impl Pattern {
         &self,
         number: usize,
         visible: Visible,
+        holds: impl Fn(DVec2) -> bool,
         visit: &mut impl FnMut(&Chord<'_>),
     ) {
         let curves = self.curves();
@@ -125,10 +131,14 @@ impl Pattern {
             let Some(cap) = self.cap_at(number, end) else {
                 continue;
             };
+            let control = curves.control(number);
+            let place = bezier(&control, cap.at);
+            if !holds(place) {
+                continue;
+            }
             let Some((track, _)) = self.strand(curves.pieces[number].scratch) else {
                 continue;
             };
-            let control = curves.control(number);
             let scaled = control.map(|p| p * self.units_per_uv);
             let classes = track.classes(cap.place);
             for sector in cap.sectors() {
@@ -137,7 +147,7 @@ impl Pattern {
                 let mut areas = ClassAreas::default();
                 add_shares(&mut areas, &classes, single(area_mm2));
                 visit(&Chord {
-                    ends: [bezier(&control, cap.at); 2],
+                    ends: [place; 2],
                     travel: axis.perp(),
                     held: Held::Sector(areas),
                 });
@@ -313,18 +323,22 @@ mod tests {
         for piece in first..=last {
             let (mut whole, mut parts, mut longest) = (0.0, 0.0, 0.0_f64);
             let sum = |areas: ClassAreas| f64::from(areas.iter().sum::<f32>());
-            pattern.for_each_chord(piece, |chord| {
-                if chord.ends[0] == chord.ends[1] {
-                    return;
-                }
-                whole += sum(chord.areas([0.0, 1.0]));
-                let cuts = [0.0, 0.01, 0.37, 0.371, 0.9, 1.0];
-                parts += cuts
-                    .windows(2)
-                    .map(|w| sum(chord.areas([w[0], w[1]])))
-                    .sum::<f64>();
-                longest = longest.max(chord.travel.length());
-            });
+            pattern.for_each_chord(
+                piece,
+                |_| true,
+                |chord| {
+                    if chord.ends[0] == chord.ends[1] {
+                        return;
+                    }
+                    whole += sum(chord.areas([0.0, 1.0]));
+                    let cuts = [0.0, 0.01, 0.37, 0.371, 0.9, 1.0];
+                    parts += cuts
+                        .windows(2)
+                        .map(|w| sum(chord.areas([w[0], w[1]])))
+                        .sum::<f64>();
+                    longest = longest.max(chord.travel.length());
+                },
+            );
             assert!((parts / whole - 1.0).abs() < 5e-3, "{parts} and {whole}");
             let [from, to] = pattern.curves().at(piece);
             let lengths = LengthShares::of(&pattern.curves().control(piece));

@@ -46,9 +46,13 @@ impl Pattern {
                 let mut last = None;
                 for &number in candidates {
                     let mut is_held = false;
-                    self.for_each_chord(number as usize, |chord| {
-                        let ends = chord.ends.map(|uv| reach.place(uv));
-                        if let Some(stretch) = reach.footprint.part_of_segment(ends) {
+                    let inside = |ends: [DVec2; 2]| {
+                        let ends = ends.map(|uv| reach.place(uv));
+                        reach.footprint.part_of_segment(ends)
+                    };
+                    let holds = |place| inside([place; 2]).is_some();
+                    self.for_each_chord(number as usize, holds, |chord| {
+                        if let Some(stretch) = inside(chord.ends) {
                             is_held = true;
                             crowd.add(&self.palette, chord.areas(stretch), chord.travel);
                         }
@@ -167,15 +171,19 @@ impl Pyramid {
         let pieces = pattern.curves().pieces.len();
         let held = Lists::new(raster.count(), pieces, |number, sink| {
             let mut piece = OfPiece::default();
-            pattern.for_each_chord(number, |chord| {
-                let heading = Heading::of(chord.travel);
-                raster.for_each_part(chord.ends, |cell, part| {
-                    let areas = chord.areas(part);
-                    for held in keys(&pattern.palette, areas, heading) {
-                        piece.add(cell, held, sink);
-                    }
-                });
-            });
+            pattern.for_each_chord(
+                number,
+                |_| true,
+                |chord| {
+                    let heading = Heading::of(chord.travel);
+                    raster.for_each_part(chord.ends, |cell, part| {
+                        let areas = chord.areas(part);
+                        for held in keys(&pattern.palette, areas, heading) {
+                            piece.add(cell, held, sink);
+                        }
+                    });
+                },
+            );
             piece.put(sink);
         });
         let first: Vec<Vec<Packed>> = (0..raster.count())
