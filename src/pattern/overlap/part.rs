@@ -147,7 +147,10 @@ fn heap(cell: &mut Cell, list: &[u32], within: [DVec2; 2]) {
             cut(&mut one, line(i), line(j), within);
             let weight = stride.min(list.len() - j);
             let weight = single(weight as f64);
-            (0..4).for_each(|quarter| left[quarter] *= one[quarter].powf(weight));
+            // Most pairs do not meet.
+            for (left, one) in left.iter_mut().zip(one).filter(|(_, one)| *one < 1.0) {
+                *left *= one.powf(weight);
+            }
         }
         cell.left[place] = left;
     }
