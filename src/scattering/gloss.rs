@@ -48,7 +48,10 @@ impl Shading {
         // What is diffuse is known already.
         let is_glossy = |i: usize| finishes[number[i] as usize].kind() != Lobe::Diffuse;
         let mut leanings = [const { [const { None }; MOST_FINISHES] }; MOST_FINISHES];
-        let strip = |i: usize| strip_of(exchange, i, &finishes[number[i] as usize]);
+        let strip = |i: usize| {
+            let number = number[i] as usize;
+            strip_of(exchange, i, [&finishes[number], &known[number]])
+        };
         for (near, more) in more.iter_mut().enumerate().take(exchange.facets) {
             let own = strip(near);
             if Vec2::from(own.normal).dot(Vec2::new(pair.view.x, pair.view.z)) <= 0.0 {
@@ -82,10 +85,29 @@ impl Shading {
 struct Strip<'f> {
     ends: [Vec2; 2],
     normal: [f32; 2],
+    /// What is looked at in the place of its own finish, which a host may have given or be too sharp.
     finish: &'f Finish,
+    own: &'f Finish,
 }
 
 impl Strip<'_> {
+    /// What its reflection has beside the lobe for a pair of directions, RGB. A host's own is asked this once.
+    fn colour(&self, pair: &Pair) -> Vec3 {
+        let shared = self.finish.shared(pair);
+        // Where its lobe is sharp, one direction tells nothing.
+        if self.own.hosted().is_none() || self.own.alpha() < LEAST_ALPHA {
+            return shared;
+        }
+        let normal = Vec3::new(self.normal[0], 0.0, self.normal[1]);
+        let lobe = self.finish.lobe_cos(normal, pair);
+        let colour = self.own.hosted_cos(normal, pair) / lobe;
+        if colour.is_finite() {
+            colour.min(Vec3::ONE)
+        } else {
+            shared
+        }
+    }
+
     fn place(&self, share: f32) -> Vec2 {
         self.ends[0].lerp(self.ends[1], share)
     }
@@ -136,8 +158,8 @@ fn passed_on(
     let sine = leanings.middle;
     let e = (far.place(0.5) - near.place(0.5)).normalize_or(Vec2::Y) * (1.0 - sine * sine).sqrt();
     let onwards = Vec3::new(e.x, sine, e.y);
-    let colour = near.finish.shared(&Pair::new(pair.view, onwards))
-        * far.finish.shared(&Pair::new(pair.light, -onwards));
+    let colour =
+        near.colour(&Pair::new(pair.view, onwards)) * far.colour(&Pair::new(pair.light, -onwards));
     PI * lobes * colour
 }
 
@@ -190,7 +212,7 @@ fn lobes<L: Lanes>(
 fn strip_of<'f, const CORNERS: usize>(
     exchange: &Exchange<CORNERS>,
     facet: usize,
-    finish: &'f Finish,
+    [finish, own]: [&'f Finish; 2],
 ) -> Strip<'f> {
     let ends = exchange.corners(facet);
     let run = (ends[1] - ends[0]).normalize_or(glam::DVec2::X);
@@ -198,5 +220,6 @@ fn strip_of<'f, const CORNERS: usize>(
         ends: ends.map(|end| end.as_vec2()),
         normal: [single(-run.y), single(run.x)],
         finish,
+        own,
     }
 }
