@@ -28,7 +28,7 @@ impl Shading {
     ///
     /// With all bounces [`Self::sample`] walks through the cross-section, without bias, and [`Self::eval`] adds what
     /// zones reflect to one another: by its direction the first time (lobes of less than alpha 0.06 as if they were so wide),
-    /// as if scattered evenly from then on. Exact for Lambertian zones; with metals the pixel is off by less than 1 %.
+    /// as if scattered evenly from then on. Exact for Lambertian zones; metals of alpha 0.05 to 0.4 measured within 1 %.
     /// [`Self::pdf`] stays that of one bounce.
     pub fn set_bounces(&mut self, bounces: Bounces) {
         self.all_bounces = (bounces == Bounces::All).into();
