@@ -158,34 +158,43 @@ fn pairs() -> [([f32; 3], [f32; 3]); 3] {
     ]
 }
 
+/// What is traced and what is evaluated, each with one bounce and with all, in a pixel three scratches wide.
+fn compared(
+    what: &str,
+    scene: &Scene,
+    points: &[[f32; 2]],
+    brdf: &Brdf,
+    view: [f32; 3],
+    light: [f32; 3],
+    random: &mut StdRng,
+) -> [[f64; 2]; 2] {
+    let width = width(points);
+    let window = [points[0][0] - width, points[points.len() - 1][0] + width].map(f64::from);
+    let truth = scene.traced(window, view.map(f64::from), light.map(f64::from), random);
+    let ours = [Bounces::One, Bounces::All].map(|bounces| {
+        let pixel = CrossFootprint::Whole { margin_mm: width };
+        let shading = shaded(points, brdf, pixel, view, bounces);
+        f64::from(shading.eval(light, Output::BrdfCos)[0])
+    });
+    println!(
+        "{what}: {:+.2} % traced, {:+.2} % evaluated; off by {:.1e} and {:.1e}",
+        100.0 * (truth[1] / truth[0] - 1.0),
+        100.0 * (ours[1] / ours[0] - 1.0),
+        ours[0] / truth[0] - 1.0,
+        ours[1] / truth[1] - 1.0
+    );
+    [truth, ours]
+}
+
 /// With one bounce and with all, both ways of asking agree with paths traced in the explicit cross-section within 1 %.
 #[test]
 fn agrees_with_a_path_tracer() {
     let mut random = random(5);
     let brdf = lambert(single(ALBEDO));
     for (name, points) in grooves() {
-        let width = width(&points);
-        let window = [points[0][0] - width, points[points.len() - 1][0] + width].map(f64::from);
         let scene = Scene::new(&points, &brdf);
         for (view, light) in pairs() {
-            let truth = scene.traced(
-                window,
-                view.map(f64::from),
-                light.map(f64::from),
-                &mut random,
-            );
-            let ours = [Bounces::One, Bounces::All].map(|bounces| {
-                let pixel = CrossFootprint::Whole { margin_mm: width };
-                let shading = shaded(&points, &brdf, pixel, view, bounces);
-                f64::from(shading.eval(light, Output::BrdfCos)[0])
-            });
-            println!(
-                "{name}: {:+.2} % traced, {:+.2} % evaluated; off by {:.1e} and {:.1e}",
-                100.0 * (truth[1] / truth[0] - 1.0),
-                100.0 * (ours[1] / ours[0] - 1.0),
-                ours[0] / truth[0] - 1.0,
-                ours[1] / truth[1] - 1.0
-            );
+            let [truth, ours] = compared(name, &scene, &points, &brdf, view, light, &mut random);
             for (ours, truth) in ours.into_iter().zip(truth) {
                 assert!(
                     (ours / truth - 1.0).abs() < 0.01,
@@ -221,30 +230,13 @@ fn gloss_agrees_with_a_path_tracer() {
     ]);
     for (view, light) in pairs {
         for (name, points) in grooves() {
-            let width = width(&points);
-            let window = [points[0][0] - width, points[points.len() - 1][0] + width].map(f64::from);
             for (finish, brdf) in brdfs {
                 let scene = Scene::new(&points, &brdf);
-                let truth = scene.traced(
-                    window,
-                    view.map(f64::from),
-                    light.map(f64::from),
-                    &mut random,
-                );
-                let ours = [Bounces::One, Bounces::All].map(|bounces| {
-                    let pixel = CrossFootprint::Whole { margin_mm: width };
-                    let shading = shaded(&points, &brdf, pixel, view, bounces);
-                    f64::from(shading.eval(light, Output::BrdfCos)[0])
-                });
-                println!(
-                    "{name}, {finish}: {:+.2} % traced, {:+.2} % evaluated; off by {:.1e} and {:.1e}",
-                    100.0 * (truth[1] / truth[0] - 1.0),
-                    100.0 * (ours[1] / ours[0] - 1.0),
-                    ours[0] / truth[0] - 1.0,
-                    ours[1] / truth[1] - 1.0
-                );
+                let what = format!("{name}, {finish}");
+                let [truth, ours] =
+                    compared(&what, &scene, &points, &brdf, view, light, &mut random);
                 let off = (ours[1] / truth[1] - 1.0).abs();
-                assert!(off < 0.01, "{name}, {finish}: {ours:?} against {truth:?}");
+                assert!(off < 0.01, "{what}: {ours:?} against {truth:?}");
             }
         }
     }
