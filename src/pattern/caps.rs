@@ -285,11 +285,19 @@ impl Wedge {
         f64::from(self.to_rad) - f64::from(self.from_rad)
     }
 
-    /// Unit directions of the borders and the axis, where travel is along `travel`.
-    pub(crate) fn directions(self, travel: DVec2) -> [DVec2; 3] {
-        let turned = |angle: f32| DVec2::from_angle(f64::from(angle)).rotate(travel);
-        [self.from_rad, self.to_rad, self.axis_rad].map(turned)
+    /// Unit directions of the borders, where travel is along `travel`.
+    pub(crate) fn borders(self, travel: DVec2) -> [DVec2; 2] {
+        [self.from_rad, self.to_rad].map(|angle| turned(travel, angle))
     }
+
+    /// Unit direction of the axis.
+    pub(crate) fn axis(self, travel: DVec2) -> DVec2 {
+        turned(travel, self.axis_rad)
+    }
+}
+
+fn turned(travel: DVec2, angle_rad: f32) -> DVec2 {
+    DVec2::from_angle(f64::from(angle_rad)).rotate(travel)
 }
 
 fn number(count: usize) -> u32 {

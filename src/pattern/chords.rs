@@ -4,6 +4,7 @@ use super::Pattern;
 use super::caps::ENDS;
 use super::closest::{LengthShares, bezier, tangent};
 use super::palette::MOST_CLASSES;
+use super::query::Reach;
 use super::raster::cell_number;
 use super::tracks::TrackRef;
 use crate::single;
@@ -64,14 +65,21 @@ struct Visible {
 }
 
 impl Pattern {
-    /// Calls `visit` with the chords of a piece and of those of its caps that stand at a place, (u, v), that `holds`.
+    /// Calls `visit` with the chords of a piece and of its caps; with none, or few, of those that are not `within`.
     pub(super) fn for_each_chord(
         &self,
         number: usize,
-        holds: impl Fn(DVec2) -> bool,
+        within: Option<&Reach<'_>>,
         mut visit: impl FnMut(&Chord<'_>),
     ) {
         let curves = self.curves();
+        let is_beside = |reach: &Reach<'_>| {
+            let control = curves.control(number).map(|uv| reach.place(uv));
+            reach.footprint.is_beside(&control)
+        };
+        if within.is_some_and(is_beside) {
+            return;
+        }
         let Some((track, course)) = curves
             .pieces
             .get(number)
@@ -115,7 +123,7 @@ impl Pattern {
             }
             first_t = last_t;
         }
-        self.for_each_cap_chord(number, visible, holds, &mut visit);
+        self.for_each_cap_chord(number, visible, within, &mut visit);
     }
 
     /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis.
@@ -123,26 +131,27 @@ impl Pattern {
         &self,
         number: usize,
         visible: Visible,
-        holds: impl Fn(DVec2) -> bool,
+        within: Option<&Reach<'_>>,
         visit: &mut impl FnMut(&Chord<'_>),
     ) {
         let curves = self.curves();
+        let control = curves.control(number);
         for (end, quarter) in ENDS.into_iter().zip([0, 3]) {
+            let place = control[quarter];
+            if within.is_some_and(|reach| !reach.footprint.holds(reach.place(place))) {
+                continue;
+            }
             let Some(cap) = self.cap_at(number, end) else {
                 continue;
             };
-            let control = curves.control(number);
-            let place = bezier(&control, cap.at);
-            if !holds(place) {
-                continue;
-            }
             let Some((track, _)) = self.strand(curves.pieces[number].scratch) else {
                 continue;
             };
             let scaled = control.map(|p| p * self.units_per_uv);
             let classes = track.classes(cap.place);
+            let travel = tangent(&scaled, cap.at);
             for sector in cap.sectors() {
-                let [_, _, axis] = sector.wedge.directions(tangent(&scaled, cap.at));
+                let axis = sector.wedge.axis(travel);
                 let area_mm2 = sector.area_mm2() * visible.quarters[quarter];
                 let mut areas = ClassAreas::default();
                 add_shares(&mut areas, &classes, single(area_mm2));
@@ -157,13 +166,25 @@ impl Pattern {
 }
 
 impl Chord<'_> {
-    /// Scratched area between two shares of the chord.
-    pub(super) fn areas(&self, [from, to]: [f64; 2]) -> ClassAreas {
+    /// Scratched area between two shares of the chord, less what later scratches take of it on average.
+    pub(super) fn areas(&self, stretch: [f64; 2]) -> ClassAreas {
+        self.areas_left(stretch, |_, mean| mean)
+    }
+
+    /// The same, less what `left` says: it is asked for the share that is left of so wide a strip (mm), and told that of
+    /// the average. What is left of caps is the average.
+    pub(super) fn areas_left(
+        &self,
+        [from, to]: [f64; 2],
+        left: impl FnOnce(f64, f64) -> f64,
+    ) -> ClassAreas {
         match &self.held {
             &Held::Way(length_mm, [first, last], span, visible) => {
                 let t = [from, to].map(|share| first + share * (last - first));
-                let length_mm = single(length_mm * (to - from) * visible.mean(t));
-                span.per_mm(t).map(|area| area * length_mm)
+                let per_mm = span.per_mm(t);
+                let left = left(per_mm.iter().sum::<f32>().into(), visible.mean(t));
+                let length_mm = single(length_mm * (to - from) * left);
+                per_mm.map(|area| area * length_mm)
             }
             Held::Sector(areas) => areas.map(|area| area * single(to - from)),
         }
@@ -323,22 +344,18 @@ mod tests {
         for piece in first..=last {
             let (mut whole, mut parts, mut longest) = (0.0, 0.0, 0.0_f64);
             let sum = |areas: ClassAreas| f64::from(areas.iter().sum::<f32>());
-            pattern.for_each_chord(
-                piece,
-                |_| true,
-                |chord| {
-                    if chord.ends[0] == chord.ends[1] {
-                        return;
-                    }
-                    whole += sum(chord.areas([0.0, 1.0]));
-                    let cuts = [0.0, 0.01, 0.37, 0.371, 0.9, 1.0];
-                    parts += cuts
-                        .windows(2)
-                        .map(|w| sum(chord.areas([w[0], w[1]])))
-                        .sum::<f64>();
-                    longest = longest.max(chord.travel.length());
-                },
-            );
+            pattern.for_each_chord(piece, None, |chord| {
+                if chord.ends[0] == chord.ends[1] {
+                    return;
+                }
+                whole += sum(chord.areas([0.0, 1.0]));
+                let cuts = [0.0, 0.01, 0.37, 0.371, 0.9, 1.0];
+                parts += cuts
+                    .windows(2)
+                    .map(|w| sum(chord.areas([w[0], w[1]])))
+                    .sum::<f64>();
+                longest = longest.max(chord.travel.length());
+            });
             assert!((parts / whole - 1.0).abs() < 5e-3, "{parts} and {whole}");
             let [from, to] = pattern.curves().at(piece);
             let lengths = LengthShares::of(&pattern.curves().control(piece));

@@ -79,6 +79,12 @@ impl Crowd {
         held.map(|(key, &[area_mm2, moment])| Packed::new(key, moment / area_mm2, area_mm2))
     }
 
+    /// How many there are of [`Self::flocks`].
+    pub(crate) fn flock_count(&self, coarser: usize) -> usize {
+        let is_held = |sums: &&[[f32; 2]]| sums.iter().any(|sum| sum[0] > 0.0);
+        self.sums.chunks(coarser).filter(is_held).count()
+    }
+
     /// All classes and directions held, class by class; `coarser` neighbouring directions counting as one.
     pub(crate) fn flocks(&self, coarser: usize) -> impl Iterator<Item = Flock> {
         self.sums

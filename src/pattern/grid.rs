@@ -103,12 +103,13 @@ impl Grid {
         }
     }
 
-    /// Calls `visit` with each piece that may touch the box from `low` to `high`, once or more, until it breaks.
+    /// Calls `visit` with lists of all pieces that may touch the box from `low` to `high`, each once or more, until it
+    /// breaks.
     pub(crate) fn query(
         &self,
         low: DVec2,
         high: DVec2,
-        mut visit: impl FnMut(u32) -> ControlFlow<()>,
+        mut visit: impl FnMut(&[u32]) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let Some((columns, rows)) = self.raster.touched(low, high) else {
             return ControlFlow::Continue(());
@@ -125,12 +126,9 @@ impl Grid {
                     continue;
                 };
                 for row in rows {
-                    for column in columns.clone() {
-                        let part = cell.first + row * cell.side + column;
-                        for &piece in list(starts, entries, part as usize) {
-                            visit(piece)?;
-                        }
-                    }
+                    let first = cell.first + row * cell.side;
+                    let parts = [first + columns.start(), first + columns.end()];
+                    visit(lists(starts, entries, parts))?;
                 }
             }
         }
@@ -162,11 +160,11 @@ impl Grid {
     }
 }
 
-/// The pieces of a part.
-fn list<'g>(starts: &[u32], entries: &'g [u32], part: usize) -> &'g [u32] {
-    let start = |i: usize| starts.get(i).map_or(0, |&start| start as usize);
-    let list = entries.get(start(part)..start(part + 1));
-    list.unwrap_or(&[])
+/// The pieces of neighbouring parts, from the first to the last.
+fn lists<'g>(starts: &[u32], entries: &'g [u32], [first, last]: [u32; 2]) -> &'g [u32] {
+    let start = |part: usize| starts.get(part).map_or(0, |&start| start as usize);
+    let lists = entries.get(start(first as usize)..start(last as usize + 1));
+    lists.unwrap_or(&[])
 }
 
 /// How many pieces cross each cell.
@@ -217,8 +215,10 @@ mod tests {
                 let low = DVec2::new(rng.random::<f64>() * 2.2 - 0.1, rng.random::<f64>()) * crowd;
                 let high = low + DVec2::new(rng.random(), rng.random()) * 0.1 * crowd;
                 let mut found = vec![false; chains.pieces.len()];
-                let _ = grid.query(low, high, |piece| {
-                    found[piece as usize] = true;
+                let _ = grid.query(low, high, |pieces| {
+                    pieces
+                        .iter()
+                        .for_each(|&piece| found[piece as usize] = true);
                     ControlFlow::Continue(())
                 });
                 for (number, found) in found.iter().enumerate() {

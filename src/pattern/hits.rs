@@ -81,6 +81,7 @@ impl Pattern {
         };
         let mut candidates = Candidates::new();
         let complete = self.candidates(&reach, &mut candidates);
+        candidates.sort_unstable();
         let mut listing = Listing {
             pattern: self,
             reach: &reach,

@@ -18,6 +18,7 @@ mod hit;
 mod hits;
 mod hosts;
 mod kinds;
+mod laid;
 mod layers;
 mod lists;
 mod mesh;
@@ -37,6 +38,7 @@ mod runs;
 mod scratch;
 #[cfg(feature = "files")]
 mod sections;
+mod seen;
 mod spline;
 mod store;
 mod strip;

@@ -5,9 +5,11 @@ use super::Pattern;
 use super::chords::{ClassAreas, add_shares};
 use super::crowd::{Crowd, Heading, MOST_ENTRIES, Packed, keys};
 use super::hit::Hit;
+use super::laid::Laid;
 use super::lists::{Lists, Sink};
 use super::query::{Candidates, Reach};
 use super::raster::Raster;
+use super::seen::{Inserted, Seen};
 use super::store::Store;
 use arrayvec::ArrayVec;
 use bytemuck::{Pod, Zeroable};
@@ -19,6 +21,9 @@ const MOST_CELLS: u32 = 64;
 
 /// Areas of one piece that are gathered before they are sorted by cell.
 const MOST_GATHERED: usize = 32;
+
+/// Places for scratches of a footprint whose pieces are looked at one by one, to count each once.
+const MOST_SCRATCHES: usize = 1024;
 
 /// A pyramid of cells: level 0 are the grid's, each level has half as many per side as the one before.
 #[derive(Clone, Debug, Default)]
@@ -38,34 +43,39 @@ pub(super) struct Level {
 }
 
 impl Pattern {
-    /// What a footprint holds of all scratches, however many; exact while the pieces are.
-    pub(crate) fn crowd(&self, reach: &Reach<'_>, candidates: Option<&Candidates>) -> Crowd {
+    /// What a footprint holds of these pieces (in their order), less what later ones take.
+    pub(crate) fn crowd_of(&self, reach: &Reach<'_>, candidates: &Candidates) -> Crowd {
         let mut crowd = Crowd::new();
-        match candidates {
-            Some(candidates) => {
-                let mut last = None;
-                for &number in candidates {
-                    let mut is_held = false;
-                    let inside = |ends: [DVec2; 2]| {
-                        let ends = ends.map(|uv| reach.place(uv));
-                        reach.footprint.part_of_segment(ends)
-                    };
-                    let holds = |place| inside([place; 2]).is_some();
-                    self.for_each_chord(number as usize, holds, |chord| {
-                        if let Some(stretch) = inside(chord.ends) {
-                            is_held = true;
-                            crowd.add(&self.palette, chord.areas(stretch), chord.travel);
-                        }
+        let mut scratches = Seen::<MOST_SCRATCHES>::new();
+        let mut laid = Laid::new();
+        for &number in candidates.iter().rev() {
+            let mut is_held = false;
+            self.for_each_chord(number as usize, Some(reach), |chord| {
+                let ends = chord.ends.map(|uv| reach.place(uv));
+                if let Some(stretch) = reach.footprint.part_of_segment(ends) {
+                    is_held = true;
+                    let areas = chord.areas_left(stretch, |width_mm, mean| {
+                        laid.lay_under(ends, stretch, width_mm).unwrap_or(mean)
                     });
-                    let scratch = self.curves().pieces.get(number as usize).map(|p| p.scratch);
-                    if is_held && last != scratch {
-                        crowd.count += 1;
-                        last = scratch;
-                    }
+                    crowd.add(&self.palette, areas, chord.travel);
                 }
+            });
+            if let Some(piece) = self
+                .curves()
+                .pieces
+                .get(number as usize)
+                .filter(|_| is_held)
+            {
+                crowd.count += u32::from(scratches.insert(piece.scratch) != Inserted::Before);
             }
-            None => self.pyramid.add_to(&mut crowd, reach),
         }
+        crowd
+    }
+
+    /// What a footprint holds of all scratches, however many, as far as cells as large as its parts tell.
+    pub(crate) fn crowd(&self, reach: &Reach<'_>) -> Crowd {
+        let mut crowd = Crowd::new();
+        self.pyramid.add_to(&mut crowd, reach);
         crowd
     }
 
@@ -171,19 +181,15 @@ impl Pyramid {
         let pieces = pattern.curves().pieces.len();
         let held = Lists::new(raster.count(), pieces, |number, sink| {
             let mut piece = OfPiece::default();
-            pattern.for_each_chord(
-                number,
-                |_| true,
-                |chord| {
-                    let heading = Heading::of(chord.travel);
-                    raster.for_each_part(chord.ends, |cell, part| {
-                        let areas = chord.areas(part);
-                        for held in keys(&pattern.palette, areas, heading) {
-                            piece.add(cell, held, sink);
-                        }
-                    });
-                },
-            );
+            pattern.for_each_chord(number, None, |chord| {
+                let heading = Heading::of(chord.travel);
+                raster.for_each_part(chord.ends, |cell, part| {
+                    let areas = chord.areas(part);
+                    for held in keys(&pattern.palette, areas, heading) {
+                        piece.add(cell, held, sink);
+                    }
+                });
+            });
             piece.put(sink);
         });
         let first: Vec<Vec<Packed>> = (0..raster.count())

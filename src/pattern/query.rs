@@ -4,6 +4,7 @@ use super::Pattern;
 use super::pieces::bounds;
 use super::point::Metric;
 use super::region::Region;
+use super::seen::{Inserted, Seen};
 use arrayvec::ArrayVec;
 use core::ops::ControlFlow;
 use glam::DVec2;
@@ -14,7 +15,13 @@ const MOST_CANDIDATES: usize = 2048;
 /// Cells of the grid that a footprint may touch for its pieces to be looked for at all.
 const MOST_CELLS: u32 = 256;
 
-/// Pieces near a footprint, in the order in which they were scratched.
+/// Pieces that are listed near a footprint for none to be asked for twice: so few are sorted sooner than remembered.
+const FEW: usize = 32;
+
+/// Places for pieces that are listed near a footprint, near it or not.
+const MOST_LISTED: usize = 2 * MOST_CANDIDATES;
+
+/// Pieces near a footprint, each once.
 pub(crate) type Candidates = ArrayVec<u32, MOST_CANDIDATES>;
 
 /// A footprint and how far around it scratches matter.
@@ -43,13 +50,6 @@ impl Reach<'_> {
     pub(crate) fn place(&self, uv: DVec2) -> DVec2 {
         self.metric.to_mm * (uv - self.metric.uv)
     }
-}
-
-/// In order, each once.
-fn sort_out(found: &mut Candidates) {
-    found.sort_unstable();
-    let mut last = None;
-    found.retain(|number| last.replace(*number) != Some(*number));
 }
 
 /// Whether a curve lies beside a box: for long oblique pieces their own box says little.
@@ -81,27 +81,54 @@ impl Pattern {
 
     /// The pieces near a box in (u, v); false if they are too many.
     pub(crate) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
-        let curves = self.curves();
         if self.grid.raster.count_touched(low, high) > MOST_CELLS {
             return false;
         }
-        let flow = self.grid.query(low, high, |number| {
-            // A piece is listed wherever it runs: mostly the same one comes again at once.
-            if found.last() == Some(&number) || misses(&curves.control(number as usize), low, high)
-            {
-                return ControlFlow::Continue(());
+        let curves = self.curves();
+        let flow = self.grid.query(low, high, |listed| {
+            for &number in listed {
+                let is_known = found.last() == Some(&number);
+                if is_known || misses(&curves.control(number as usize), low, high) {
+                    continue;
+                }
+                if found.len() == FEW {
+                    return ControlFlow::Break(());
+                }
+                found.push(number);
             }
-            if found.is_full() {
-                sort_out(found);
-                // Where that makes hardly any room, it would have to be made again at once.
-                if found.remaining_capacity() < MOST_CANDIDATES / 8 {
+            ControlFlow::Continue(())
+        });
+        if flow.is_break() {
+            found.clear();
+            return self.many_near(low, high, found);
+        }
+        found.sort_unstable();
+        let mut last = None;
+        found.retain(|number| last.replace(*number) != Some(*number));
+        true
+    }
+
+    /// The same where pieces are listed again and again, as they are where many are near: known ones are known at once.
+    #[inline(never)]
+    fn many_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
+        let curves = self.curves();
+        let mut seen = Seen::<MOST_LISTED>::new();
+        let flow = self.grid.query(low, high, |listed| {
+            for &number in listed {
+                match seen.insert(number) {
+                    Inserted::Before => continue,
+                    Inserted::Now => {}
+                    Inserted::NoRoom => return ControlFlow::Break(()),
+                }
+                if misses(&curves.control(number as usize), low, high) {
+                    continue;
+                }
+                if found.try_push(number).is_err() {
                     return ControlFlow::Break(());
                 }
             }
-            found.push(number);
             ControlFlow::Continue(())
         });
-        sort_out(found);
         flow.is_continue()
     }
 }

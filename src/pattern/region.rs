@@ -139,6 +139,28 @@ impl Region {
         part.keep(lines).then_some(part)
     }
 
+    /// Whether it lies all on one side of a curve with these control points.
+    pub(crate) fn is_beside(&self, [a, b, c, d]: &[DVec2; 4]) -> bool {
+        let chord = *d - *a;
+        let beside = |p: DVec2| chord.perp_dot(p - *a);
+        let bends = [beside(*b), beside(*c)];
+        let (low, high) = (
+            bends[0].min(bends[1]).min(0.0),
+            bends[0].max(bends[1]).max(0.0),
+        );
+        let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
+        for at in self.corners().iter().map(|corner| beside(*corner)) {
+            from = if at < from { at } else { from };
+            to = if at > to { at } else { to };
+        }
+        from > high || to < low
+    }
+
+    pub(crate) fn holds(&self, point: DVec2) -> bool {
+        self.edges()
+            .all(|(a, b)| (b - a).perp_dot(point - a) >= 0.0)
+    }
+
     /// The part of a segment that lies inside, as shares of it (Cyrus and Beck 1978).
     pub(crate) fn part_of_segment(&self, [a, b]: [DVec2; 2]) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -157,8 +179,7 @@ impl Region {
 
     /// The share of a parallelogram that lies inside.
     pub(crate) fn share_of_cell(&self, corners: [DVec2; 4]) -> f64 {
-        let holds = |p: DVec2| self.edges().all(|(a, b)| (b - a).perp_dot(p - a) >= 0.0);
-        if corners.into_iter().all(holds) {
+        if corners.into_iter().all(|corner| self.holds(corner)) {
             return 1.0;
         }
         let middle = 0.5 * (corners[0] + corners[2]);

@@ -48,9 +48,9 @@ impl Pattern {
         if number != outermost || pieces.get(first)?.is_joined() {
             return None;
         }
-        let (_, course) = self.strand(scratch)?;
         let track = self.strands.get(scratch as usize)?.track;
         let caps = self.tracks.caps(track, usize::from(end == End::Stop))?;
+        let (_, course) = self.strand(scratch)?;
         Some(CapAt {
             caps,
             at: share,
@@ -444,7 +444,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         };
         let visible = self.pattern.visible_share(part.number);
         for sector in cap.sectors() {
-            let [from, to, axis] = sector.wedge.directions(travel);
+            let [from, to] = sector.wedge.borders(travel);
             let origin = point + sector.offset_mm * DVec2::new(travel.y, -travel.x);
             let parting = [[origin, from.perp()], [origin, to.perp()]];
             let region = beyond.within(&[[origin, from.perp()], [origin, -to.perp()]]);
@@ -457,7 +457,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
                 scratch: part.scratch,
                 at: cap.at,
                 origin,
-                travel: axis.perp(),
+                travel: sector.wedge.axis(travel).perp(),
                 parting,
                 cover: Some(region),
                 visible,

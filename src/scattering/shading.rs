@@ -19,6 +19,9 @@ const LONGEST_PARALLAX: f32 = 20.0;
 /// Parts that crossings may cut a run's share of the pixel into.
 const MOST_PARTS: usize = 8;
 
+/// Scratches that a footprint may hold for each to be looked at by itself.
+const MOST_ALONE: u32 = 16;
+
 /// Runs of scratch that are looked at one by one: more than are held, for later ones cut earlier ones away.
 const MOST_HITS: usize = 128;
 
@@ -93,7 +96,7 @@ impl Shading {
                 reach_mm,
             };
             let complete = found.unwrap_or_else(|| pattern.candidates(&reach, &mut candidates));
-            self.fill(pattern, &reach, complete.then_some(&candidates));
+            self.fill(pattern, &reach, complete.then_some(&mut candidates));
         }
         footprint
     }
@@ -136,21 +139,34 @@ impl Shading {
     }
 
     /// Adds all that the footprint holds; of too many to be looked at one by one there are no candidates.
-    fn fill(&mut self, pattern: &Pattern, reach: &Reach<'_>, candidates: Option<&Candidates>) {
-        let added = candidates.is_some_and(|candidates| {
-            let few = candidates.len() <= FEW_HITS;
-            few && self.add_each::<FEW_HITS>(pattern, candidates, reach, FEW_HITS) || {
-                self.clear();
-                self.add_each::<MOST_HITS>(pattern, candidates, reach, MOST_HITS / 4)
-            }
-        });
-        if !added {
-            self.clear();
-            let crowd = pattern.crowd(reach, candidates);
-            self.add_crowd(pattern, &crowd, reach);
-            self.scratch_count = crowd.count;
+    fn fill(&mut self, pattern: &Pattern, reach: &Reach<'_>, candidates: Option<&mut Candidates>) {
+        match candidates {
+            Some(few)
+                if few.len() <= FEW_HITS
+                    && self.add_each::<FEW_HITS>(pattern, few, reach, FEW_HITS) => {}
+            Some(many) => self.add_many(pattern, many, reach),
+            None => self.add_as_crowd(pattern, &pattern.crowd(reach), reach),
         }
         self.share_out();
+    }
+
+    /// Adds more pieces than a few: as a crowd, unless they turn out to be of few scratches. Those that only shade the
+    /// pixel are no part of a crowd.
+    fn add_many(&mut self, pattern: &Pattern, candidates: &mut Candidates, reach: &Reach<'_>) {
+        candidates.sort_unstable();
+        let crowd = pattern.crowd_of(reach, candidates);
+        self.clear();
+        let alone = crowd.count <= MOST_ALONE
+            && self.add_each::<MOST_HITS>(pattern, candidates, reach, MOST_HITS / 4);
+        if !alone {
+            self.add_as_crowd(pattern, &crowd, reach);
+        }
+    }
+
+    fn add_as_crowd(&mut self, pattern: &Pattern, crowd: &Crowd, reach: &Reach<'_>) {
+        self.clear();
+        self.add_crowd(pattern, crowd, reach);
+        self.scratch_count = crowd.count;
     }
 
     /// How far from the footprint a scratch can matter: by its width, by parallax, by its shadow.
@@ -272,7 +288,7 @@ impl Shading {
     #[inline(never)]
     fn add_crowd(&mut self, pattern: &Pattern, crowd: &Crowd, reach: &Reach<'_>) -> bool {
         let pixel_area = reach.footprint.area();
-        let fits = |coarser: &usize| crowd.flocks(*coarser).count() <= MOST_FLOCKS;
+        let fits = |coarser: &usize| crowd.flock_count(*coarser) <= MOST_FLOCKS;
         let coarser = [1, 2, 4, 8, 16].into_iter().find(fits).unwrap_or(32);
         let mut class = None;
         for flock in crowd.flocks(coarser) {
