@@ -287,17 +287,18 @@ impl Finish {
         match self.lobe {
             GGX | ANISOTROPIC_GGX => {
                 let tilting = ggx::Tilting::new(self.alphas(), pair);
-                facets.sum(
+                let sum = facets.sum(
                     lanes,
                     #[inline(always)]
-                    |normal| tilting.lobe_cos(normal),
-                )
+                    |normal, _| tilting.lobe_cos(normal),
+                );
+                sum * tilting.scale
             }
             HOSTED_DIFFUSE | HOSTED_GLOSSY => lanes.all(0.0),
             _ => facets.sum(
                 lanes,
                 #[inline(always)]
-                |normal| self.lobes_cos(lanes, &pair.tilted(normal)),
+                |normal, share| if_any(share, self.lobes_cos(lanes, &pair.tilted(normal))),
             ),
         }
     }
@@ -313,16 +314,17 @@ impl Finish {
         match self.lobe {
             GGX | ANISOTROPIC_GGX => {
                 let tilting = ggx::Tilting::new(self.alphas(), pair);
-                facets.sum(
+                let sum = facets.sum(
                     lanes,
                     #[inline(always)]
-                    |normal| tilting.pdf(normal),
-                )
+                    |normal, _| tilting.pdf(normal),
+                );
+                sum * tilting.scale
             }
             _ => facets.sum(
                 lanes,
                 #[inline(always)]
-                |normal| self.pdfs(lanes, &pair.tilted(normal)),
+                |normal, share| if_any(share, self.pdfs(lanes, &pair.tilted(normal))),
             ),
         }
     }
@@ -494,19 +496,22 @@ pub(crate) struct Facets<'a, F> {
 
 impl<F: Number> Facets<'_, F> {
     #[inline(always)]
-    fn sum<L: Lanes<F = F>>(&self, lanes: L, of: impl Fn([f32; 2]) -> F) -> F {
+    fn sum<L: Lanes<F = F>>(&self, lanes: L, of: impl Fn([f32; 2], F) -> F) -> F {
         let [xs, zs] = self.normals;
-        let none = lanes.all(0.0);
-        let mut sum = none;
+        let mut sum = lanes.all(0.0);
         for ((&x, &z), &share) in xs.iter().zip(zs).zip(self.shares) {
             if share.any() {
-                // Where nothing counts it may be anything.
-                let value = share.if_above(none, of([x, z]), none);
-                sum = share.times_plus(value, sum);
+                sum = share.times_plus(of([x, z], share), sum);
             }
         }
         sum
     }
+}
+
+/// `value` where it counts: elsewhere it may be anything.
+#[inline(always)]
+fn if_any<F: Number>(share: F, value: F) -> F {
+    share.if_above(share.like(0.0), value, share.like(0.0))
 }
 
 /// Points spread evenly over the unit square.

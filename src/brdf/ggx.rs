@@ -31,7 +31,7 @@ fn smith<F: Number>(alpha: Vec2, w: &Vector<F>) -> F {
     (x * x + y * y + w.z * w.z).sqrt()
 }
 
-/// The same lobe and density for many facets of one finish and directions in the frames of scratches. What turns those into
+/// The same lobe and density, but for `scale`, for many facets of one finish and directions in the frames of scratches. What turns those into
 /// the facets' own frames keeps y and x² + z²: so that both roots and the distribution's denominator are a number
 /// that all facets share and a multiple of one square.
 pub(super) struct Tilting<F> {
@@ -45,8 +45,8 @@ pub(super) struct Tilting<F> {
     /// How often the cosine's square comes to that under a root, and the sine's square in the denominator.
     by_cos: F,
     by_sin: F,
-    /// What all distributions are multiplied by.
-    scale: F,
+    /// What all values are still to be multiplied by.
+    pub scale: f32,
 }
 
 impl<F: Number> Tilting<F> {
@@ -63,11 +63,11 @@ impl<F: Number> Tilting<F> {
             of_half: across_and_along(&pair.half, 1.0, over.y),
             by_cos: like.like(1.0 - squares.x),
             by_sin: like.like(over.x - 1.0),
-            scale: like.like(1.0 / (PI * alpha.x * alpha.y)),
+            scale: 0.5 / (PI * alpha.x * alpha.y),
         }
     }
 
-    /// [`lobe_cos`] of a facet of this normal; of one that a direction is below, as if it were barely above.
+    /// [`lobe_cos`] of a facet of this normal; of one that a direction is below, as if it were barely above: finite.
     #[inline(always)]
     pub(super) fn lobe_cos(&self, normal: [f32; 2]) -> F {
         let (view, light) = (above(&self.view, normal), above(&self.light, normal));
@@ -76,7 +76,7 @@ impl<F: Number> Tilting<F> {
             self.smith(light, self.of_light),
         );
         let masking = light.times_plus(seen, view * lit);
-        self.scale * light * 0.5 / (self.spread(normal) * masking)
+        light / (self.spread(normal) * masking)
     }
 
     /// [`pdf`] of a facet of this normal, 0 where the half vector is below it; the view as for lobes.
@@ -84,7 +84,7 @@ impl<F: Number> Tilting<F> {
     pub(super) fn pdf(&self, normal: [f32; 2]) -> F {
         let view = above(&self.view, normal);
         let seen = view + self.smith(view, self.of_view);
-        let density = self.scale * 0.5 / (self.spread(normal) * seen);
+        let density = view.like(1.0) / (self.spread(normal) * seen);
         if_above(cos(&self.half, normal), density)
     }
 

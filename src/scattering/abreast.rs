@@ -90,16 +90,13 @@ impl<F: Number> Reflected<F> {
 }
 
 impl Shading {
-    /// What all flocks together reflect of each light.
+    /// What all flocks together reflect of each light; kept apart, for few points have any.
     #[inline(always)]
     pub(super) fn by_flocks<L: Lanes, const LIGHTS: usize>(
         &self,
         lanes: L,
         lights: &[Light; LIGHTS],
     ) -> [Reflected<f32>; LIGHTS] {
-        if self.flocks.is_empty() {
-            return [Reflected::NONE; LIGHTS];
-        }
         lanes.call(
             #[inline(always)]
             || {
@@ -164,11 +161,11 @@ impl Shading {
         lit: &[L::F; MOST_FACETS],
         sums: &mut Reflected<L::F>,
     ) {
-        for run in section.runs_of_finish() {
-            let number = section.finish[run.start];
+        for (number, run) in &section.runs {
             let facets = section.facets(run, lit);
-            let lobes = self.zones.finish_of(number).lit_lobes(lanes, pair, facets);
-            let sum = &mut sums.lobes[number as usize];
+            let finish = self.zones.finish_of(*number);
+            let lobes = finish.lit_lobes(lanes, pair, facets);
+            let sum = &mut sums.lobes[*number as usize];
             *sum = lobes.times_plus(share, *sum);
         }
     }
@@ -183,10 +180,10 @@ impl Shading {
         seen: &[L::F; MOST_FACETS],
         sums: &mut Reflected<L::F>,
     ) {
-        for run in section.runs_of_finish() {
-            let finish = self.zones.finish_of(section.finish[run.start]);
+        for (number, run) in &section.runs {
+            let finish = self.zones.finish_of(*number);
             for pair in pairs {
-                let facets = section.facets(run.clone(), seen);
+                let facets = section.facets(run, seen);
                 let density = finish.seen_pdfs(lanes, pair, facets);
                 sums.density = density.times_plus(shown, sums.density);
             }
@@ -281,10 +278,10 @@ mod tests {
     }
 
     /// The same sums, zone after zone.
-    fn one_by_one(shading: &Shading, light: &Light) -> Reflected<f32> {
+    fn one_by_one(shading: &Shading, pair: &Pair) -> Reflected<f32> {
         let mut sums = Reflected::NONE;
-        let below = light.below.unwrap();
-        shading.each_zone(&light.pair, |zone, turned, across| {
+        let below = pair.below();
+        shading.each_zone(pair, |zone, turned, across| {
             sums.lobes[zone.finish as usize] += shading.lobe(One, zone, turned);
             sums.density += shading.density(One, zone, turned, &below, across);
             sums.seen += zone.seen;
@@ -293,8 +290,8 @@ mod tests {
     }
 
     /// RGB and density.
-    fn answers(shading: &Shading, sums: &Reflected<f32>, light: &Light) -> [f32; 4] {
-        let rgb = shading.zones.colour(&sums.lobes, &light.pair);
+    fn answers(shading: &Shading, sums: &Reflected<f32>, pair: &Pair) -> [f32; 4] {
+        let rgb = shading.zones.colour(&sums.lobes, pair);
         rgb.extend(sums.pdf()).into()
     }
 
@@ -306,14 +303,15 @@ mod tests {
         let mut worst = [0.0_f32; 2];
         for flocks in [1, 7, 8, 9, 31, 128].into_iter().cycle().take(600) {
             let shading = crowded(&mut random, flocks);
-            let light = Light::with_density(Pair::new(shading.view, direction(&mut random)));
-            let wanted = answers(&shading, &one_by_one(&shading, &light), &light);
+            let pair = Pair::new(shading.view, direction(&mut random));
+            let below = pair.below();
+            let wanted = answers(&shading, &one_by_one(&shading, &pair), &pair);
             let found = [
-                shading.sums(One, &light),
-                in_lanes!(lanes => shading.sums(lanes, &light)),
+                shading.sums(One, &pair, Some(&below)),
+                in_lanes!(lanes => shading.sums(lanes, &pair, Some(&below))),
             ];
             for (worst, found) in worst.iter_mut().zip(&found) {
-                for (found, wanted) in answers(&shading, found, &light).iter().zip(wanted) {
+                for (found, wanted) in answers(&shading, found, &pair).iter().zip(wanted) {
                     let off = (found - wanted).abs() / found.max(wanted).max(1e-4);
                     assert!(off < 1e-5, "{found} against {wanted}, {flocks} flocks");
                     *worst = worst.max(off);

@@ -49,8 +49,7 @@ impl Shading {
 
     /// BRDF times cosine, RGB.
     pub(super) fn reflected(&self, pair: &Pair) -> Vec3 {
-        let light = Light::new(*pair);
-        let sums = in_lanes!(lanes => self.sums(lanes, &light));
+        let sums = in_lanes!(lanes => self.sums(lanes, pair, None));
         let mut sum = self.zones.colour(&sums.lobes, pair) + self.hosted(pair);
         if self.has_all_bounces() {
             sum += self.indirect(pair);
@@ -58,19 +57,31 @@ impl Shading {
         finite(sum)
     }
 
-    /// What all zones reflect of a light, and where that is asked for how often their samples go there.
+    /// What all zones reflect of a light, and how often their samples go there if it is also given `below` the surface.
     #[inline(always)]
-    pub(super) fn sums<L: Lanes>(&self, lanes: L, light: &Light) -> Reflected<f32> {
-        let [mut sums] = self.by_flocks(lanes, &[*light]);
+    pub(super) fn sums<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Pair,
+        below: Option<&Pair>,
+    ) -> Reflected<f32> {
+        let mut sums = Reflected::NONE;
+        if !self.flocks.is_empty() {
+            let light = Light {
+                pair: *pair,
+                below: below.copied(),
+            };
+            [sums] = self.by_flocks(lanes, &[light]);
+        }
         let taken = sums.taken;
         self.each_zone_but_flocks(
             lanes,
-            &light.pair,
+            pair,
             taken,
             #[inline(always)]
             |zone, turned, across| {
                 sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, turned);
-                if let Some(below) = &light.below {
+                if let Some(below) = below {
                     sums.density += self.density(lanes, zone, turned, below, across);
                     sums.seen += zone.seen.sum();
                 }

@@ -116,15 +116,13 @@ impl Flocks {
         let y = lanes.made(|i| f32::from(ys[first + i]));
         let (none, one) = (lanes.all(0.0), lanes.all(1.0));
         let length = (x * x + y * y).sqrt();
+        let over = length.if_above(none, one / length, none);
         let ends = [flocks.start, flocks.end].map(|end| end as f32 - 0.5);
         let number = lanes.made(|i| i as f32) + first as f32;
         let own = number.if_above(lanes.all(ends[0]), lanes.load(&self.share[first..]), none);
         let share = lanes.all(ends[1]).if_above(number, own, none);
         Abreast {
-            across: [
-                length.if_above(none, x / length, one),
-                length.if_above(none, y / length, none),
-            ],
+            across: [length.if_above(none, x * over, one), y * over],
             share,
             shown: share * self.seen_per_share,
         }

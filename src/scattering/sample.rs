@@ -1,6 +1,5 @@
 //! Lights chosen as often as they are reflected, and how often that is (section 4 of the model).
 
-use super::abreast::Light;
 use super::eval::{finite, rest};
 use super::flocks::Flock;
 use super::many::{MOST, Vectors};
@@ -152,8 +151,8 @@ impl Shading {
 
     /// BRDF times cosine of light that meets one zone, and the density with which it is chosen, whatever it meets.
     fn first_bounce(&self, pair: &Pair) -> (Vec3, f32) {
-        let light = Light::with_density(*pair);
-        let sums = in_lanes!(lanes => self.sums(lanes, &light));
+        let below = pair.below();
+        let sums = in_lanes!(lanes => self.sums(lanes, pair, Some(&below)));
         let brdf_cos = self.zones.colour(&sums.lobes, pair) + self.hosted(pair);
         (brdf_cos, sums.pdf())
     }

@@ -8,6 +8,7 @@ use super::relief::Zones;
 use crate::brdf::Facets;
 use crate::lanes::{Lanes, Number, Vector};
 use crate::pattern::MOST_CLASS_VERTICES;
+use arrayvec::ArrayVec;
 use core::ops::Range;
 
 /// Facets of a class.
@@ -20,7 +21,8 @@ pub(super) struct Section<'a> {
     zs: &'a [f32],
     /// Across and upward components.
     normals: [&'a [f32]; 2],
-    pub finish: &'a [u8],
+    /// Facets that follow one another and have a finish of this number.
+    pub runs: ArrayVec<(u8, Range<usize>), MOST_FACETS>,
 }
 
 /// One direction, as each of several flocks sees it.
@@ -70,9 +72,19 @@ impl Zones {
             xs: &self.x[own.start..=own.end],
             zs: &self.z[own.start..=own.end],
             normals: [across, &up[..facets]],
-            finish: &self.finish[own],
+            runs: runs(&self.finish[own]),
         }
     }
+}
+
+fn runs(finish: &[u8]) -> ArrayVec<(u8, Range<usize>), MOST_FACETS> {
+    let mut next = 0;
+    let runs = finish.chunk_by(PartialEq::eq).map(|run| {
+        let first = next;
+        next += run.len();
+        (run[0], first..next)
+    });
+    runs.collect()
 }
 
 impl<F: Number> Slope<F> {
@@ -115,23 +127,13 @@ impl Section<'_> {
     }
 
     fn facet_count(&self) -> usize {
-        self.finish.len()
+        self.normals[0].len()
     }
 
-    /// Facets that follow one another and have one finish.
-    pub(super) fn runs_of_finish(&self) -> impl Iterator<Item = Range<usize>> {
-        let mut next = 0;
-        self.finish.chunk_by(PartialEq::eq).map(move |run| {
-            let first = next;
-            next += run.len();
-            first..next
-        })
-    }
-
-    pub(super) fn facets<'a, F>(&'a self, run: Range<usize>, shares: &'a [F]) -> Facets<'a, F> {
+    pub(super) fn facets<'a, F>(&'a self, run: &Range<usize>, shares: &'a [F]) -> Facets<'a, F> {
         Facets {
             normals: self.normals.map(|components| &components[run.clone()]),
-            shares: &shares[run],
+            shares: &shares[run.clone()],
         }
     }
 
@@ -151,16 +153,18 @@ impl Section<'_> {
         // What is passed from the other side has a horizon that nothing moves.
         let begun = w.if_leftwards(last, lanes.all(f32::MIN));
         let mut leftmost = begun;
-        for (k, open) in kept[..facets].iter_mut().enumerate().rev() {
-            let next = leftmost.min(w.shifted(self.point(k)));
+        let begins = self.xs[..facets].iter().zip(&self.zs[..facets]);
+        for (open, (&x, &z)) in kept[..facets].iter_mut().zip(begins).rev() {
+            let next = leftmost.min(w.shifted([x, z]));
             *open = leftmost - next;
             leftmost = next;
         }
         let mut all = begun - leftmost;
         let begun = w.if_leftwards(lanes.all(f32::MAX), first);
         let (mut rightmost, mut here) = (begun, first);
-        for (k, kept) in kept[..facets].iter_mut().enumerate() {
-            let there = w.shifted(self.point(k + 1));
+        let ends = self.xs[1..].iter().zip(&self.zs[1..]);
+        for (k, (kept, (&x, &z))) in kept[..facets].iter_mut().zip(ends).enumerate() {
+            let there = w.shifted([x, z]);
             let next = rightmost.max(there);
             *kept = keep(k, there - here, *kept + (next - rightmost));
             (rightmost, here) = (next, there);
