@@ -1,7 +1,7 @@
 //! Numbers side by side: what is done to zones and lights is written once, for one number or for a register of eight.
 //!
 //! Which of the two runs is decided at run time, by what the processor has. Both do the same operations in the same order
-//! for each number, so that they agree to rounding of sums.
+//! for each number, so that they agree to rounding.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::sync::atomic::{AtomicBool, Ordering};
@@ -43,6 +43,8 @@ pub(crate) trait Number:
     fn sqrt(self) -> Self;
     fn min(self, other: Self) -> Self;
     fn max(self, other: Self) -> Self;
+    /// `self * by + plus`: in a register one step, rounded once.
+    fn times_plus(self, by: Self, plus: Self) -> Self;
     /// `then` where it is above `least`, else `otherwise`.
     fn if_above(self, least: Self, then: Self, otherwise: Self) -> Self;
     /// Whether any is above 0.
@@ -72,6 +74,11 @@ impl Number for f32 {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn times_plus(self, by: Self, plus: Self) -> Self {
+        self * by + plus
     }
 
     #[inline(always)]
@@ -119,6 +126,11 @@ impl<S: Simd> Number for f32x8<S> {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         SimdBase::max(self, other)
+    }
+
+    #[inline(always)]
+    fn times_plus(self, by: Self, plus: Self) -> Self {
+        SimdFloat::mul_add(self, by, plus)
     }
 
     #[inline(always)]

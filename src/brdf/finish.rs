@@ -27,7 +27,7 @@ const SCHLICK: u32 = 1;
 const CONDUCTOR: u32 = 2;
 
 /// Directions are above a zone from this cosine on: products of two with a lobe's width stay far from underflow.
-const LEAST_COS: f32 = 1e-12;
+pub(super) const LEAST_COS: f32 = 1e-12;
 
 /// Samples that an estimate of reflectance takes: a power of two.
 const REFLECTANCE_SAMPLES: u32 = 64;
@@ -276,6 +276,59 @@ impl Finish {
         if_above(pair.light.z, lobe)
     }
 
+    /// What facets with these normals reflect together, so much of each being lit; the pair in the frames of their scratches.
+    #[inline(always)]
+    pub(crate) fn lit_lobes<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Local<L::F>,
+        facets: Facets<'_, L::F>,
+    ) -> L::F {
+        match self.lobe {
+            GGX | ANISOTROPIC_GGX => {
+                let tilting = ggx::Tilting::new(self.alphas(), pair);
+                let sum = facets.sum(
+                    lanes,
+                    #[inline(always)]
+                    |normal, _| tilting.lobe_cos(normal),
+                );
+                sum * tilting.scale
+            }
+            HOSTED_DIFFUSE | HOSTED_GLOSSY => lanes.all(0.0),
+            _ => facets.sum(
+                lanes,
+                #[inline(always)]
+                |normal, share| if_any(share, self.lobes_cos(lanes, &pair.tilted(normal))),
+            ),
+        }
+    }
+
+    /// With what density facets' samples go to the light, as [`Self::lit_lobes`].
+    #[inline(always)]
+    pub(crate) fn seen_pdfs<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Local<L::F>,
+        facets: Facets<'_, L::F>,
+    ) -> L::F {
+        match self.lobe {
+            GGX | ANISOTROPIC_GGX => {
+                let tilting = ggx::Tilting::new(self.alphas(), pair);
+                let sum = facets.sum(
+                    lanes,
+                    #[inline(always)]
+                    |normal, _| tilting.pdf(normal),
+                );
+                sum * tilting.scale
+            }
+            _ => facets.sum(
+                lanes,
+                #[inline(always)]
+                |normal, share| if_any(share, self.pdfs(lanes, &pair.tilted(normal))),
+            ),
+        }
+    }
+
     /// Lobes that are used less: kept apart, so that the others stay short.
     #[inline(always)]
     fn further_lobes_cos<L: Lanes>(&self, lanes: L, pair: &Local<L::F>) -> L::F {
@@ -432,6 +485,35 @@ impl Finish {
     }
 }
 
+/// Facets of several scratches of one cross-section.
+#[derive(Clone, Copy)]
+pub(crate) struct Facets<'a, F> {
+    /// Across and upward components.
+    pub normals: [&'a [f32]; 2],
+    /// How much of each counts, scratch beside scratch.
+    pub shares: &'a [F],
+}
+
+impl<F: Number> Facets<'_, F> {
+    #[inline(always)]
+    fn sum<L: Lanes<F = F>>(&self, lanes: L, of: impl Fn([f32; 2], F) -> F) -> F {
+        let [xs, zs] = self.normals;
+        let mut sum = lanes.all(0.0);
+        for ((&x, &z), &share) in xs.iter().zip(zs).zip(self.shares) {
+            if share.any() {
+                sum = share.times_plus(of([x, z], share), sum);
+            }
+        }
+        sum
+    }
+}
+
+/// `value` where it counts: elsewhere it may be anything.
+#[inline(always)]
+fn if_any<F: Number>(share: F, value: F) -> F {
+    share.if_above(share.like(0.0), value, share.like(0.0))
+}
+
 /// Points spread evenly over the unit square.
 fn hammersley(i: u32) -> [f32; 2] {
     let share = 1.0 / REFLECTANCE_SAMPLES as f32;
@@ -441,7 +523,7 @@ fn hammersley(i: u32) -> [f32; 2] {
 
 /// `value` for directions of this cosine that are above the zone, else 0.
 #[inline(always)]
-fn if_above<F: Number>(cos: F, value: F) -> F {
+pub(super) fn if_above<F: Number>(cos: F, value: F) -> F {
     cos.if_above(cos.like(LEAST_COS), value, cos.like(0.0))
 }
 

@@ -18,12 +18,12 @@ mod phong;
 mod threads;
 
 pub use facet::Facet;
-pub(crate) use finish::Finish;
 pub use finish::Lobe;
+pub(crate) use finish::{Facets, Finish};
 pub use fresnel::Fresnel;
 pub use hosted::{HostBrdf, Hosted};
 pub use metal::Metal;
-pub(crate) use pair::{Local, Pair, Pairs};
+pub(crate) use pair::{Local, Pair, Pairs, turned_each};
 #[cfg(feature = "files")]
 pub(crate) use threads::Directions;
 

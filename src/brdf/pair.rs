@@ -14,7 +14,7 @@ pub(crate) struct Pair {
     pub view_half: f32,
 }
 
-/// A pair as one zone sees it, or eight do: in the zone's own frame (across, along, normal).
+/// A pair as one zone sees it, or eight do: in the zone's own frame (across, along, normal). Or as scratches do, in theirs.
 #[derive(Clone, Copy)]
 pub(crate) struct Local<F> {
     pub view: Vector<F>,
@@ -38,6 +38,17 @@ impl<F: Number> Local<F> {
             view_half: self.view_half.lane(lane),
         }
     }
+
+    /// Pairs in the frames (across, along, up) of scratches, as zones of this normal see them.
+    #[inline(always)]
+    pub(crate) fn tilted(&self, [x, z]: [f32; 2]) -> Self {
+        Self {
+            view: onto_zone(self.view, x, z),
+            light: onto_zone(self.light, x, z),
+            half: onto_zone(self.half, x, z),
+            view_half: self.view_half,
+        }
+    }
 }
 
 impl Pair {
@@ -52,6 +63,11 @@ impl Pair {
             // Half their sum's length: the same whichever is which, also once both are rounded.
             view_half: (0.5 * length).min(1.0),
         }
+    }
+
+    /// The same view, with the light mirrored at the surface.
+    pub(crate) fn below(&self) -> Self {
+        Self::new(self.view, self.light * Vec3::new(1.0, 1.0, -1.0))
     }
 
     /// The same pair in the frames of zones whose normals are (x, 0, z).
@@ -74,6 +90,17 @@ impl Pair {
             light: turn(self.light),
             half: turn(self.half),
             view_half: self.view_half,
+        }
+    }
+
+    /// The same pair in the frames of several scratches.
+    #[inline(always)]
+    pub(crate) fn turned_each<F: Number>(&self, across: [F; 2]) -> Local<F> {
+        Local {
+            view: turned_each(self.view, across),
+            light: turned_each(self.light, across),
+            half: turned_each(self.half, across),
+            view_half: across[0].like(self.view_half),
         }
     }
 }
@@ -123,18 +150,19 @@ impl<F: Number> Pairs<F> {
 
     /// The same pairs in the frame of a zone whose normal is (x, 0, z).
     #[inline(always)]
-    pub(crate) fn tilted(&self, [x, z]: [f32; 2]) -> Local<F> {
-        let view = Vector {
-            x: self.view_half.like(self.view.x),
-            y: self.view_half.like(self.view.y),
-            z: self.view_half.like(self.view.z),
-        };
+    pub(crate) fn tilted(&self, normal: [f32; 2]) -> Local<F> {
+        let like = |value| self.view_half.like(value);
         Local {
-            view: onto_zone(view, x, z),
-            light: onto_zone(self.light, x, z),
-            half: onto_zone(self.half, x, z),
+            view: Vector {
+                x: like(self.view.x),
+                y: like(self.view.y),
+                z: like(self.view.z),
+            },
+            light: self.light,
+            half: self.half,
             view_half: self.view_half,
         }
+        .tilted(normal)
     }
 }
 
@@ -165,5 +193,15 @@ fn turned<F: Number>(w: Vector<F>, across: Vec2) -> Vector<F> {
         x: w.x * across.x + w.y * across.y,
         y: w.y * across.x - w.x * across.y,
         z: w.z,
+    }
+}
+
+/// One direction in the frames of several scratches.
+#[inline(always)]
+pub(crate) fn turned_each<F: Number>(w: Vec3, [x, y]: [F; 2]) -> Vector<F> {
+    Vector {
+        x: x * w.x + y * w.y,
+        y: x * w.y - y * w.x,
+        z: x.like(w.z),
     }
 }

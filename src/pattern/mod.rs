@@ -57,6 +57,7 @@ pub(crate) use hit::Hit;
 pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
 pub use mesh::{MeshRegion, MeshZone, ReliefMesh};
+pub(crate) use palette::MOST_CLASS_VERTICES;
 pub use path::{Curve, Path};
 pub use pattern::{Pattern, PatternMemory};
 pub(crate) use point::Metric;

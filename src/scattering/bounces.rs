@@ -62,7 +62,7 @@ impl Shading {
             // All that is seen, as lit from where it is looked at.
             let mut add = |zone: &Zone| sum += zone.lit * sent.by_zone(zone);
             self.zones
-                .each_of_flock(One, &mut parts, &flock, &still.turned(across), &mut add);
+                .each_of_flock(&mut parts, &flock, &still.turned(across), &mut add);
             for (ends, flat) in sent.by_flats() {
                 sum += flock.share * (ends[1] - ends[0]) * flat;
             }

@@ -1,11 +1,11 @@
 //! What a prepared point reflects of one light, zone by zone.
 
-use super::relief::MOST_FINISHES;
+use super::abreast::{Light, Reflected};
 use super::shading::{LEAST_COS, Shading, direction};
 use super::visibility::Parts;
 use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Pair};
-use crate::lanes::{Lanes, Number, in_lanes};
+use crate::lanes::{Lanes, Number, One, in_lanes};
 use glam::{Vec2, Vec3};
 
 /// Weights that should add up to 1 do so within this; less flat surface than that is none, or it would shine
@@ -49,25 +49,45 @@ impl Shading {
 
     /// BRDF times cosine, RGB.
     pub(super) fn reflected(&self, pair: &Pair) -> Vec3 {
-        let lobes = in_lanes!(lanes => self.lobes(lanes, pair));
-        let mut sum = self.zones.colour(&lobes, pair) + self.hosted(pair);
+        let sums = in_lanes!(lanes => self.sums(lanes, pair, None));
+        let mut sum = self.zones.colour(&sums.lobes, pair) + self.hosted(pair);
         if self.has_all_bounces() {
             sum += self.indirect(pair);
         }
         finite(sum)
     }
 
-    /// What the lobes of each finish add up to.
+    /// What all zones reflect of a light, and how often their samples go there if it is also given `below` the surface.
     #[inline(always)]
-    fn lobes<L: Lanes>(&self, lanes: L, pair: &Pair) -> [f32; MOST_FINISHES] {
-        let mut lobes = [0.0; MOST_FINISHES];
-        self.each_zone(
+    pub(super) fn sums<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Pair,
+        below: Option<&Pair>,
+    ) -> Reflected<f32> {
+        let mut sums = Reflected::NONE;
+        if !self.flocks.is_empty() {
+            let light = Light {
+                pair: *pair,
+                below: below.copied(),
+            };
+            [sums] = self.by_flocks(lanes, &[light]);
+        }
+        let taken = sums.taken;
+        self.each_zone_but_flocks(
             lanes,
             pair,
+            taken,
             #[inline(always)]
-            |zone, pair, _| lobes[zone.finish as usize] += self.lobe(lanes, zone, pair),
+            |zone, turned, across| {
+                sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, turned);
+                if let Some(below) = below {
+                    sums.density += self.density(lanes, zone, turned, below, across);
+                    sums.seen += zone.seen.sum();
+                }
+            },
         );
-        lobes
+        sums
     }
 
     /// What of a finish's colour lit zones reflect; `pair` is in the frame of their scratch.
@@ -86,13 +106,38 @@ impl Shading {
 
     /// Visits each zone that the viewer sees, with view and light in the frame of its scratch and that frame's first
     /// axis; the flat surface comes last.
+    pub(super) fn each_zone(&self, pair: &Pair, mut visit: impl FnMut(&Zone, &Pair, Vec2)) {
+        let mut taken = self.each_relief_zone(One, pair, &mut visit);
+        let mut parts = [const { Parts::new() }; 2];
+        for flock in self.flocks.iter() {
+            let (across, pair) = (flock.across, pair.turned(flock.across));
+            let visit = |zone: &Zone| visit(zone, &pair, across);
+            taken += self.zones.each_of_flock(&mut parts, &flock, &pair, visit);
+        }
+        self.visit_flat(One, pair, taken, &mut visit);
+    }
+
+    /// The same without flocks, which take this share of the flat surface from the light.
     #[inline(always)]
-    pub(super) fn each_zone<L: Lanes>(
+    fn each_zone_but_flocks<L: Lanes>(
         &self,
         lanes: L,
         pair: &Pair,
+        taken: f32,
         mut visit: impl FnMut(&Zone<L::F>, &Pair, Vec2),
     ) {
+        let taken = taken + self.each_relief_zone(lanes, pair, &mut visit);
+        self.visit_flat(lanes, pair, taken, &mut visit);
+    }
+
+    /// The scratches' own that are held one by one; returns what of the flat surface they take from the light.
+    #[inline(always)]
+    fn each_relief_zone<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Pair,
+        visit: &mut impl FnMut(&Zone<L::F>, &Pair, Vec2),
+    ) -> f32 {
         let mut taken = 0.0;
         let mut parts = Parts::new();
         for relief in self.reliefs() {
@@ -106,21 +151,17 @@ impl Shading {
                 |zone| visit(zone, &pair, across),
             );
         }
-        // To clear them takes as long as to look at a scratch: where there is no flock they are not.
-        if !self.flocks.is_empty() {
-            let mut both = [const { Parts::new() }; 2];
-            for flock in self.flocks.iter() {
-                let (across, pair) = (flock.across, pair.turned(flock.across));
-                taken += self.zones.each_of_flock(
-                    lanes,
-                    &mut both,
-                    &flock,
-                    &pair,
-                    #[inline(always)]
-                    |zone| visit(zone, &pair, across),
-                );
-            }
-        }
+        taken
+    }
+
+    #[inline(always)]
+    fn visit_flat<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Pair,
+        taken: f32,
+        visit: &mut impl FnMut(&Zone<L::F>, &Pair, Vec2),
+    ) {
         let flat = Zone::flat(lanes, rest(self.coverage()), rest(taken));
         visit(&flat, &pair.turned(ACROSS_SURFACE), ACROSS_SURFACE);
     }

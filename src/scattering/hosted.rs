@@ -2,7 +2,6 @@
 
 use super::shading::Shading;
 use crate::brdf::Pair;
-use crate::lanes::One;
 use glam::Vec3;
 
 impl Shading {
@@ -17,7 +16,7 @@ impl Shading {
     #[inline(never)]
     fn hosted_zones(&self, pair: &Pair) -> Vec3 {
         let mut sum = Vec3::ZERO;
-        self.each_zone(One, pair, |zone, pair, _| {
+        self.each_zone(pair, |zone, pair, _| {
             if zone.lit > 0.0 {
                 let finish = self.zones.finish_of(zone.finish);
                 sum += zone.lit * finish.hosted_cos(zone.normal(), pair);

@@ -1,15 +1,14 @@
-//! Several lights of one point side by side, zone after zone.
+//! Several lights of one point side by side, zone after zone; flocks are themselves side by side (`abreast.rs`).
 //!
 //! The same equations as in `visit.rs`, `eval.rs` and `reverse.rs`, with numbers for zones and registers for lights.
 
+use super::abreast::{Light, Reflected};
 use super::eval::{ROUNDING, finite, rest};
-use super::flocks::Flock;
 use super::many::MOST;
 use super::relief::{MOST_FINISHES, Relief, Zones, unpacked};
 use super::shading::Shading;
-use super::visibility::{Across, Parts};
-use crate::brdf::{ACROSS_SURFACE, Pairs};
-use crate::lanes::{Lanes, Number, One, Vector};
+use crate::brdf::{ACROSS_SURFACE, Pair, Pairs};
+use crate::lanes::{Lanes, Number, Vector};
 use glam::{Vec2, Vec3};
 
 /// What is added up over all zones, for each light.
@@ -23,6 +22,23 @@ struct Sums<F> {
     seen: f32,
 }
 
+impl<F: Number> Sums<F> {
+    /// What flocks add, for as many lights as there are lanes.
+    #[inline(always)]
+    fn of_flocks<L: Lanes<F = F>>(lanes: L, flocks: &[Reflected<f32>]) -> Self {
+        let mut lobes = [lanes.all(0.0); MOST_FINISHES];
+        for (finish, lobes) in lobes.iter_mut().enumerate() {
+            *lobes = lanes.made(|i| flocks[i].lobes[finish]);
+        }
+        Self {
+            lobes,
+            taken: lanes.made(|i| flocks[i].taken),
+            density: lanes.made(|i| flocks[i].density),
+            seen: flocks[0].seen,
+        }
+    }
+}
+
 impl Shading {
     /// The same by as many as there are lanes.
     #[inline(always)]
@@ -34,9 +50,18 @@ impl Shading {
         found: &mut [Vec3; MOST],
         densities: &mut [f32; MOST],
     ) {
+        let mut by_flocks = [Reflected::NONE; MOST];
+        if !self.flocks.is_empty() {
+            let pairs = lights.map(|light| Pair::new(self.view, light));
+            by_flocks = match with_pdf {
+                true => self.by_flocks(lanes, &pairs.map(Light::with_density)),
+                false => self.by_flocks(lanes, &pairs.map(Light::new)),
+            };
+        }
         for first in (0..MOST).step_by(L::WIDTH) {
             let (rgb, pdf) = (&mut found[first..], &mut densities[first..]);
-            self.reflected_group(lanes, &lights[first..], with_pdf, rgb, pdf);
+            let sums = Sums::of_flocks(lanes, &by_flocks[first..]);
+            self.reflected_group(lanes, &lights[first..], with_pdf, sums, rgb, pdf);
         }
     }
 
@@ -46,6 +71,7 @@ impl Shading {
         lanes: L,
         lights: &[Vec3],
         with_pdf: bool,
+        mut sums: Sums<L::F>,
         found: &mut [Vec3],
         densities: &mut [f32],
     ) {
@@ -64,17 +90,8 @@ impl Shading {
         );
         let directions = if with_pdf { Some(&below) } else { None };
         let none = lanes.all(0.0);
-        let mut sums = Sums {
-            lobes: [none; MOST_FINISHES],
-            taken: none,
-            density: none,
-            seen: 0.0,
-        };
         for relief in self.reliefs() {
             self.add_relief(lanes, relief, &pairs, directions, &mut sums);
-        }
-        for flock in self.flocks.iter() {
-            self.add_flock(lanes, &flock, &pairs, directions, &mut sums);
         }
         let left = lanes
             .all(1.0 - ROUNDING)
@@ -179,60 +196,6 @@ impl Shading {
         let (a, b) = (shown(from), shown(to));
         let part = zones.densities.between(&relief.weight, a, b).max(none);
         some.if_above(none, to.if_above(from, part, none), hidden)
-    }
-
-    #[inline(always)]
-    fn add_flock<L: Lanes>(
-        &self,
-        lanes: L,
-        flock: &Flock,
-        pairs: &Pairs<L::F>,
-        below: Option<&Pairs<L::F>>,
-        sums: &mut Sums<L::F>,
-    ) {
-        let zones = &self.zones;
-        let pairs = pairs.turned(flock.across);
-        let below = all_turned(below, flock.across);
-        let [first, count] = flock.slots.map(|slot| slot as usize);
-        let facets = count.saturating_sub(1);
-        let view = Across::of(pairs.view);
-        let view_slope = view.x / view.z;
-        let mut seen = Parts::new();
-        let horizon = seen.sweep(One, &zones.x[first..], &zones.z[first..], facets, view);
-        let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
-        let width = |k: usize| {
-            let [[x, z], [next_x, next_z]] = zones.corners(first + k);
-            (next_x - x - (next_z - z) * view_slope).max(0.0)
-        };
-        let shown = |k: usize| {
-            let [from, to] = seen.of(k);
-            (to - from).max(0.0) * width(k)
-        };
-        let all: f32 = (0..facets).map(shown).sum();
-        let share = flock.shown / all.max(f32::MIN_POSITIVE);
-        for k in 0..facets {
-            let facet = zones.facet(first + k, share * shown(k));
-            self.add_density(lanes, &facet, &pairs, below.as_ref(), sums);
-        }
-        for leftwards in [true, false] {
-            let mut sweep = Sweep::new(lanes, &pairs.light, leftwards);
-            if !sweep.own.any() {
-                continue;
-            }
-            for step in 0..facets {
-                let k = sweep.facet(step, facets);
-                let [from, to] = sweep.pass(zones.corners(first + k));
-                if shown(k) > 0.0 {
-                    let [seen_from, seen_to] = seen.of(k);
-                    let both = to.min(lanes.all(seen_to)) - from.max(lanes.all(seen_from));
-                    let lit = both.max(lanes.all(0.0)) * (width(k) * flock.share);
-                    let facet = zones.facet(first + k, 0.0);
-                    self.add_facet(lanes, &facet, lit * sweep.own, &pairs, sums);
-                }
-            }
-            let [from, to] = sweep.flat_ends(seen_flat);
-            sums.taken = sums.taken + (to - from) * sweep.own * flock.share;
-        }
     }
 
     /// Adds what a facet reflects, lit in these shares of the pixel.

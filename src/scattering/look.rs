@@ -146,7 +146,7 @@ impl Shading {
             return;
         }
         // No light matters here.
-        self.each_zone(One, &Pair::new(self.view, self.view), |zone, _, across| {
+        self.each_zone(&Pair::new(self.view, self.view), |zone, _, across| {
             if zone.seen > 0.0 {
                 visit(zone, across);
             }

@@ -4,6 +4,7 @@
 //! each zone shows of itself, and how much that weighs in the pixel. Each light then costs a pass over the
 //! zones ([`Shading::eval`]). Nothing here allocates, locks or fails.
 
+mod abreast;
 mod alone;
 mod bounces;
 mod eval;
@@ -19,6 +20,7 @@ mod relief;
 mod reverse;
 mod sample;
 mod shading;
+mod slopes;
 mod visibility;
 mod visit;
 mod walk;

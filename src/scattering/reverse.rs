@@ -16,16 +16,17 @@ impl Shading {
         let Some(pair) = self.pair(light) else {
             return 0.0;
         };
-        let back = Directions::new(pair.light, pair.view);
+        let back = Pair::new(pair.light, pair.view);
+        let below = back.below();
         let (mut density, mut seen) = (0.0, 0.0);
-        self.each_scratch_zone_from(pair.light, &back.above, |zone, turned, across| {
-            density += self.density(One, zone, turned, &back, across);
+        self.each_scratch_zone_from(pair.light, &back, |zone, turned, across| {
+            density += self.density(One, zone, turned, &below, across);
             seen += zone.seen;
         });
         let left = rest(seen.min(1.0));
-        let turned = back.above.turned(ACROSS_SURFACE);
+        let turned = back.turned(ACROSS_SURFACE);
         let flat = Zone::flat(One, left, left);
-        density += self.density(One, &flat, &turned, &back, ACROSS_SURFACE);
+        density += self.density(One, &flat, &turned, &below, ACROSS_SURFACE);
         seen += left;
         let pdf = if seen > 0.0 { density / seen } else { 0.0 };
         if pdf.is_finite() { pdf } else { 0.0 }
@@ -62,21 +63,22 @@ impl Shading {
                 ..flock
             };
             self.zones
-                .each_of_flock(One, &mut parts, &whole, &turned, |zone| {
+                .each_of_flock(&mut parts, &whole, &turned, |zone| {
                     visit(zone, &turned, across);
                 });
         }
     }
 
     /// With what density the samples of zones go up to the pair's light, whether they go there or are turned up from below
-    /// the surface: each as often as it is seen. `turned` is the pair in the frame of the zones' scratch.
+    /// the surface: each as often as it is seen. `turned` is the pair in the frame of the zones' scratch, `below` the one
+    /// whose light is mirrored below the surface.
     #[inline(always)]
     pub(super) fn density<L: Lanes>(
         &self,
         lanes: L,
         zone: &Zone<L::F>,
         turned: &Pair,
-        pair: &Directions,
+        below: &Pair,
         across: Vec2,
     ) -> f32 {
         let none = lanes.all(0.0);
@@ -85,25 +87,9 @@ impl Shading {
         }
         let [x, z] = zone.normal;
         let finish = self.zones.finish_of(zone.finish);
-        let below = pair.below.turned(across);
+        let below = below.turned(across);
         let above = finish.pdfs(lanes, &turned.tilted(x, z));
         let below = finish.pdfs(lanes, &below.tilted(x, z));
         (zone.seen.if_above(none, zone.seen * (above + below), none)).sum()
-    }
-}
-
-/// A view with a light above the surface, and with the same light mirrored below it.
-pub(super) struct Directions {
-    above: Pair,
-    below: Pair,
-}
-
-impl Directions {
-    pub(super) fn new(view: Vec3, light: Vec3) -> Self {
-        let below = light * Vec3::new(1.0, 1.0, -1.0);
-        Self {
-            above: Pair::new(view, light),
-            below: Pair::new(view, below),
-        }
     }
 }

@@ -3,14 +3,13 @@
 use super::eval::{finite, rest};
 use super::flocks::Flock;
 use super::many::{MOST, Vectors};
-use super::relief::{MOST_FINISHES, Relief};
-use super::reverse::Directions;
+use super::relief::Relief;
 use super::shading::{LEAST_COS, Shading};
 use super::visibility::Parts;
 use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
 use crate::error::Result;
-use crate::lanes::{Lanes, Number, One, in_lanes};
+use crate::lanes::in_lanes;
 use glam::{Vec2, Vec3};
 
 /// A light chosen for a view.
@@ -152,32 +151,10 @@ impl Shading {
 
     /// BRDF times cosine of light that meets one zone, and the density with which it is chosen, whatever it meets.
     fn first_bounce(&self, pair: &Pair) -> (Vec3, f32) {
-        let Sums {
-            lobes,
-            density,
-            seen,
-        } = in_lanes!(lanes => self.sums(lanes, pair));
-        let brdf_cos = self.zones.colour(&lobes, pair) + self.hosted(pair);
-        let pdf = if seen > 0.0 { density / seen } else { 0.0 };
-        (brdf_cos, if pdf.is_finite() { pdf } else { 0.0 })
-    }
-
-    /// What the lobes of each finish add up to, and the densities of all zones.
-    #[inline(always)]
-    fn sums<L: Lanes>(&self, lanes: L, pair: &Pair) -> Sums {
-        let directions = Directions::new(pair.view, pair.light);
-        let mut sums = Sums::default();
-        self.each_zone(
-            lanes,
-            pair,
-            #[inline(always)]
-            |zone, turned, across| {
-                sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, turned);
-                sums.density += self.density(lanes, zone, turned, &directions, across);
-                sums.seen += zone.seen.sum();
-            },
-        );
-        sums
+        let below = pair.below();
+        let sums = in_lanes!(lanes => self.sums(lanes, pair, Some(&below)));
+        let brdf_cos = self.zones.colour(&sums.lobes, pair) + self.hosted(pair);
+        (brdf_cos, sums.pdf())
     }
 
     /// The zone in which the share `u` of all that is seen falls.
@@ -201,21 +178,13 @@ impl Shading {
                 let mut picked = Picked::new(left, flock.across, Held::Flock(flock));
                 let (turned, mut parts) = (pair.turned(flock.across), [const { Parts::new() }; 2]);
                 self.zones
-                    .each_of_flock(One, &mut parts, &flock, &turned, |zone| picked.pass(zone));
+                    .each_of_flock(&mut parts, &flock, &turned, |zone| picked.pass(zone));
                 return picked.chosen;
             }
             left -= flock.shown;
         }
         Chosen::FLAT
     }
-}
-
-/// What is added up over all zones.
-#[derive(Default)]
-struct Sums {
-    lobes: [f32; MOST_FINISHES],
-    density: f32,
-    seen: f32,
 }
 
 /// Goes through the zones of a scratch up to the one in which a share falls.

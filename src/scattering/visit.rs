@@ -2,7 +2,7 @@
 
 use super::flocks::Flock;
 use super::relief::{Relief, Zones, packed, unpacked};
-use super::visibility::{Across, Parts};
+use super::visibility::{Across, Part, Parts};
 use crate::brdf::Pair;
 use crate::lanes::{Lanes, Number, One};
 use glam::Vec3;
@@ -149,41 +149,34 @@ impl Zones {
     }
 
     /// As [`Self::each_of_relief`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.
-    #[inline(always)]
-    pub(crate) fn each_of_flock<L: Lanes>(
+    pub(crate) fn each_of_flock(
         &self,
-        lanes: L,
         [seen, lit]: &mut [Parts; 2],
         flock: &Flock,
         pair: &Pair,
-        mut visit: impl FnMut(&Zone<L::F>),
+        mut visit: impl FnMut(&Zone),
     ) -> f32 {
         let [first, count] = flock.slots.map(|slot| slot as usize);
         let facets = count.saturating_sub(1);
         let (xs, zs) = (&self.x[first..], &self.z[first..]);
         let [view, light] = [pair.view, pair.light].map(Across::of);
         let view_slope = pair.view.x / pair.view.z;
-        let none = lanes.all(0.0);
-        let widths = |k: usize, part: [L::F; 2]| {
-            let [run_x, run_z] = self.runs(lanes, first + k);
-            let width = (part[1] - part[0]).max(none) * (run_x - run_z * view_slope).max(none);
-            first_of(lanes, facets - k, width)
+        let width = |k: usize, [from, to]: Part| {
+            let [run_x, run_z] = self.runs(One, first + k);
+            (to - from).max(0.0) * (run_x - run_z * view_slope).max(0.0)
         };
-        let horizon = seen.sweep(lanes, xs, zs, facets, view);
+        let horizon = seen.sweep(One, xs, zs, facets, view);
         let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
-        let mut shown = none;
-        for k in (0..facets).step_by(L::WIDTH) {
-            shown = shown + widths(k, seen.load(lanes, k));
-        }
-        let shown = flock.shown / shown.sum().max(f32::MIN_POSITIVE);
-        let horizon = lit.sweep(lanes, xs, zs, facets, light);
-        for k in (0..facets).step_by(L::WIDTH) {
-            let [seen, lit] = [seen.load(lanes, k), lit.load(lanes, k)];
+        let shown: f32 = (0..facets).map(|k| width(k, seen.of(k))).sum();
+        let shown = flock.shown / shown.max(f32::MIN_POSITIVE);
+        let horizon = lit.sweep(One, xs, zs, facets, light);
+        for k in 0..facets {
+            let [seen, lit] = [seen.of(k), lit.of(k)];
             let both = [seen[0].max(lit[0]), seen[1].min(lit[1])];
-            let seen = widths(k, seen);
-            if seen.any() {
-                let shares = [seen * shown, widths(k, both) * flock.share];
-                self.by_finish(lanes, first + k, k, facets - k, shares, &mut visit);
+            let seen = width(k, seen);
+            if seen > 0.0 {
+                let shares = [seen * shown, width(k, both) * flock.share];
+                self.by_finish(One, first + k, k, 1, shares, &mut visit);
             }
         }
         let [from, to] = light.flat_ends(horizon, seen_flat);

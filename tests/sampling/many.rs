@@ -3,7 +3,12 @@
 use super::scenes::{ALL, Prepared};
 use super::support::{any_direction, random};
 use rand::Rng;
+use std::sync::RwLock;
 use striae::scattering::{Bounces, Output, Shading, Vectors, set_simd};
+
+/// Held for writing while SIMD registers are switched, which they are for all threads: sums of flocks are rounded otherwise
+/// with them than without, and what is compared bit by bit must not be caught in between.
+static SWITCHED: RwLock<()> = RwLock::new(());
 
 /// Lights of all kinds: above, below, of any length, and none.
 fn lights(count: usize, seed: u64) -> Vec<[f32; 3]> {
@@ -75,6 +80,7 @@ fn worst(judge: impl Fn(usize, &Prepared) -> f32) -> f32 {
 /// Lights together count as each alone does, with one bounce and with all, from both sides and from below.
 #[test]
 fn lights_together_are_as_each_alone() {
+    let _switched = SWITCHED.read();
     let off = worst(|i, prepared| {
         let lights = lights(5 + i % 20, 90 + i as u64);
         let mut shading = prepared.shading;
@@ -89,6 +95,7 @@ fn lights_together_are_as_each_alone() {
 /// Samples together are those drawn one by one.
 #[test]
 fn samples_together_are_as_each_alone() {
+    let _switched = SWITCHED.read();
     let off = worst(|i, prepared| {
         let mut random = random(190 + i as u64);
         let us: Vec<[f32; 3]> = (0..19).map(|_| random.random()).collect();
@@ -128,6 +135,7 @@ fn samples_together_are_as_each_alone() {
 /// Without SIMD instructions, which not all processors have, all is the same.
 #[test]
 fn simd_only_makes_it_faster() {
+    let _switched = SWITCHED.write();
     let off = worst(|i, prepared| {
         let lights = lights(24, 290 + i as u64);
         let mut judged = [(); 2].map(|()| (Vec::new(), Vec::new()));
