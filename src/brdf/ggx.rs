@@ -2,25 +2,26 @@
 
 use super::Local;
 use crate::lanes::{Number, Vector};
-use core::f32::consts::{PI, TAU};
+use core::f32::consts::{FRAC_1_PI, TAU};
 use glam::{Vec2, Vec3};
 
 /// D G / (4 n·l n·v) · n·l of facets `alpha` wide across and along, for both cosines above 0.
 #[inline(always)]
 pub(super) fn lobe_cos<F: Number>(alpha: Vec2, pair: &Local<F>) -> F {
     let (light, view) = (&pair.light, &pair.view);
-    let visibility =
-        light.z.like(0.5) / (light.z * smith(alpha, view) + view.z * smith(alpha, light));
-    distribution(alpha, &pair.half) * light.z * visibility
+    let shown = light.z * smith(alpha, view) + view.z * smith(alpha, light);
+    let spread = spread(alpha, &pair.half);
+    // One division for all.
+    light.z * (0.5 * FRAC_1_PI * alpha.x * alpha.y) / (spread * spread * shown)
 }
 
-/// The density of microfacets whose normal is `half`: sines and cosine each by themselves, so that nothing cancels near the
-/// highlight's centre.
+/// The root of what divides alpha across times alpha along over pi in the density of microfacets whose normal is `half`:
+/// sines and cosine each by themselves, so that nothing cancels near the highlight's centre.
 #[inline(always)]
-fn distribution<F: Number>(alpha: Vec2, half: &Vector<F>) -> F {
-    let (x, y) = (half.x * (1.0 / alpha.x), half.y * (1.0 / alpha.y));
-    let denominator = x * x + y * y + half.z * half.z;
-    denominator.like(1.0 / (PI * alpha.x * alpha.y)) / (denominator * denominator)
+fn spread<F: Number>(alpha: Vec2, half: &Vector<F>) -> F {
+    half.x * half.x * (alpha.y / alpha.x)
+        + half.y * half.y * (alpha.x / alpha.y)
+        + half.z * half.z * (alpha.x * alpha.y)
 }
 
 /// Its excess over the cosine is what masking takes.
@@ -47,5 +48,7 @@ pub(super) fn sample(alpha: Vec2, u: [f32; 2], view: Vec3) -> Vec3 {
 /// The density of [`sample`] mirrored to lights, per steradian.
 #[inline(always)]
 pub(super) fn pdf<F: Number>(alpha: Vec2, pair: &Local<F>) -> F {
-    distribution(alpha, &pair.half) * 0.5 / (pair.view.z + smith(alpha, &pair.view))
+    let shown = pair.view.z + smith(alpha, &pair.view);
+    let spread = spread(alpha, &pair.half);
+    shown.like(0.5 * FRAC_1_PI * alpha.x * alpha.y) / (spread * spread * shown)
 }

@@ -4,8 +4,8 @@ use super::relief::MOST_FINISHES;
 use super::shading::{LEAST_COS, Shading, direction};
 use super::visibility::Parts;
 use super::visit::Zone;
-use crate::brdf::{ACROSS_SURFACE, Pair};
-use crate::lanes::{Lanes, Number, in_lanes};
+use crate::brdf::{ACROSS_SURFACE, Local, Pair};
+use crate::lanes::{Lanes, Number, One, in_lanes};
 use glam::{Vec2, Vec3};
 
 /// Weights that should add up to 1 do so within this; less flat surface than that is none, or it would shine
@@ -25,6 +25,7 @@ pub enum Output {
 impl Shading {
     /// RGB reflected towards the view from a light in direction `light` (of any length above 0, in the local
     /// frame). Black for a light that is no direction, or below the surface.
+    #[inline(always)]
     pub fn eval(&self, light: [f32; 3], output: Output) -> [f32; 3] {
         let Some(pair) = self.pair(light) else {
             return [0.0; 3];
@@ -32,11 +33,12 @@ impl Shading {
         let sum = self.reflected(&pair);
         match output {
             Output::BrdfCos => sum.to_array(),
-            Output::Brdf => (sum / pair.light.z).to_array(),
+            Output::Brdf => without_cos(sum, pair.light.z),
         }
     }
 
     /// View and light, unless this light or this point reflects nothing.
+    #[inline(always)]
     pub(super) fn pair(&self, light: [f32; 3]) -> Option<Pair> {
         let light = direction(light).filter(|light| light.z >= LEAST_COS)?;
         self.is_seen().then(|| Pair::new(self.view, light))
@@ -48,37 +50,45 @@ impl Shading {
     }
 
     /// BRDF times cosine, RGB.
+    #[inline(always)]
     pub(super) fn reflected(&self, pair: &Pair) -> Vec3 {
-        let lobes = in_lanes!(lanes => self.lobes(lanes, pair));
-        let mut sum = self.zones.colour(&lobes, pair) + self.hosted(pair);
+        let mut lobes = [0.0; MOST_FINISHES];
+        // Pairs by value: on the way of most points, which have no scratch, none is written down.
+        let taken = if self.is_scratched() {
+            self.add_scratches(*pair, &mut lobes)
+        } else {
+            0.0
+        };
+        lobes[0] += self.lobe(One, &self.surface(taken), &pair.level());
+        let mut sum = self.zones.colour(&lobes, pair.view_half);
+        if self.zones.has_hosted() {
+            sum += self.hosted(*pair);
+        }
         if self.has_all_bounces() {
-            sum += self.indirect(pair);
+            sum += self.indirect(*pair);
         }
         finite(sum)
     }
 
-    /// What the lobes of each finish add up to.
-    #[inline(always)]
-    fn lobes<L: Lanes>(&self, lanes: L, pair: &Pair) -> [f32; MOST_FINISHES] {
-        let mut lobes = [0.0; MOST_FINISHES];
-        self.each_zone(
+    /// Adds what the lobes of each finish of all scratches add up to; what of the flat surface they take from this light.
+    #[inline(never)]
+    fn add_scratches(&self, pair: Pair, lobes: &mut [f32; MOST_FINISHES]) -> f32 {
+        in_lanes!(lanes => self.each_scratch_zone(
             lanes,
-            pair,
+            &pair,
             #[inline(always)]
-            |zone, pair, _| lobes[zone.finish as usize] += self.lobe(lanes, zone, pair),
-        );
-        lobes
+            |zone, pair, _| lobes[zone.finish as usize] += self.lobe(lanes, zone, &zone.sees(pair)),
+        ))
     }
 
-    /// What of a finish's colour lit zones reflect; `pair` is in the frame of their scratch.
+    /// What of a finish's colour lit zones reflect; `pair` is as they see it.
     #[inline(always)]
-    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Pair) -> f32 {
+    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Local<L::F>) -> f32 {
         if !zone.lit.any() {
             return 0.0;
         }
-        let [x, z] = zone.normal;
         let finish = self.zones.finish_of(zone.finish);
-        let lobes = finish.lobes_cos(lanes, &pair.tilted(x, z));
+        let lobes = finish.lobes_cos(lanes, pair);
         let none = lanes.all(0.0);
         // Where no light falls a lobe may be anything.
         (zone.lit.if_above(none, zone.lit * lobes, none)).sum()
@@ -86,13 +96,20 @@ impl Shading {
 
     /// Visits each zone that the viewer sees, with view and light in the frame of its scratch and that frame's first
     /// axis; the flat surface comes last.
+    pub(super) fn each_zone(&self, pair: &Pair, mut visit: impl FnMut(&Zone, &Pair, Vec2)) {
+        let taken = self.each_scratch_zone(One, pair, &mut visit);
+        let turned = pair.turned(ACROSS_SURFACE);
+        visit(&self.surface(taken), &turned, ACROSS_SURFACE);
+    }
+
+    /// The same without the flat surface: what of it these zones take from the light.
     #[inline(always)]
-    pub(super) fn each_zone<L: Lanes>(
+    pub(super) fn each_scratch_zone<L: Lanes>(
         &self,
         lanes: L,
         pair: &Pair,
         mut visit: impl FnMut(&Zone<L::F>, &Pair, Vec2),
-    ) {
+    ) -> f32 {
         let mut taken = 0.0;
         let mut parts = Parts::new();
         for relief in self.reliefs() {
@@ -121,8 +138,17 @@ impl Shading {
                 );
             }
         }
-        let flat = Zone::flat(lanes, rest(self.coverage()), rest(taken));
-        visit(&flat, &pair.turned(ACROSS_SURFACE), ACROSS_SURFACE);
+        taken
+    }
+
+    /// The flat surface, by what scratches take of it from this light.
+    pub(super) fn surface(&self, taken: f32) -> Zone {
+        Zone::flat(rest(self.coverage()), rest(taken))
+    }
+
+    /// Whether it holds any scratch.
+    pub(super) fn is_scratched(&self) -> bool {
+        self.relief_count > 0 || !self.flocks.is_empty()
     }
 }
 
@@ -135,6 +161,16 @@ pub(super) fn rest(taken: f32) -> f32 {
     }
 }
 
+/// Black in place of what is no colour.
+#[inline(always)]
 pub(super) fn finite(rgb: Vec3) -> Vec3 {
-    if rgb.is_finite() { rgb } else { Vec3::ZERO }
+    // False of NaN too.
+    let is_finite = rgb.abs().cmple(Vec3::MAX).all();
+    if is_finite { rgb } else { Vec3::ZERO }
+}
+
+/// Apart: written into its caller it would be computed always, and then be left out.
+#[inline(never)]
+fn without_cos(sum: Vec3, cos: f32) -> [f32; 3] {
+    (sum / cos).to_array()
 }

@@ -47,6 +47,8 @@ pub(crate) struct Zones {
     /// How much of all light each finish reflects; known once it is asked for.
     albedos: [Vec3; MOST_FINISHES],
     finish_count: u32,
+    /// How many of them are the host's own.
+    hosted_count: u32,
     used: u32,
     pub densities: Densities,
 }
@@ -81,6 +83,7 @@ impl Zones {
             finishes: [Finish::BLACK; MOST_FINISHES],
             albedos: [Vec3::ZERO; MOST_FINISHES],
             finish_count: 1,
+            hosted_count: 0,
             used: 0,
             densities: Densities::EMPTY,
         }
@@ -90,10 +93,11 @@ impl Zones {
     pub(crate) fn clear(&mut self) {
         self.used = 0;
         self.finish_count = 1;
+        self.hosted_count = self.finishes[0].hosted().is_some().into();
         self.densities.clear();
     }
 
-    /// The finish of the flat surface, which has number 0.
+    /// The finish of the flat surface, which has number 0; until [`Self::clear`] its kind does not count.
     pub(crate) fn set_surface(&mut self, finish: Finish) {
         self.finishes[0] = finish;
     }
@@ -106,6 +110,7 @@ impl Zones {
         if known.is_none() && number == held.len() {
             self.finishes[number] = *finish;
             self.finish_count += 1;
+            self.hosted_count += u32::from(finish.hosted().is_some());
         }
         u8::try_from(number).unwrap_or(0)
     }
@@ -256,12 +261,17 @@ impl Zones {
         to.if_above(from, weight, none)
     }
 
-    /// What all zones reflect together, RGB, if this is what each finish's lobes add up to.
-    pub(crate) fn colour(&self, lobes: &[f32; MOST_FINISHES], pair: &Pair) -> Vec3 {
-        let finishes = &self.finishes[..self.finish_count as usize];
-        let colour = |(finish, lobe): (&Finish, &f32)| finish.shared(pair) * *lobe;
-        let lit = finishes.iter().zip(lobes).filter(|(_, lobe)| **lobe > 0.0);
-        lit.map(colour).sum()
+    /// What all zones reflect together, RGB, if this is what each finish's lobes add up to, for light and view of this cosine
+    /// to their half vector.
+    #[inline(always)]
+    pub(crate) fn colour(&self, lobes: &[f32; MOST_FINISHES], view_half: f32) -> Vec3 {
+        let mut sum = Vec3::ZERO;
+        for (finish, &lobe) in self.finishes().iter().zip(lobes) {
+            if lobe > 0.0 {
+                sum += Vec3::from(finish.colour(view_half)) * lobe;
+            }
+        }
+        sum
     }
 
     /// Finds out how much of all light each finish reflects: of what comes at 45 degrees.
@@ -338,6 +348,11 @@ impl Zones {
         let seen = ends(view, [-0.5, 0.5]);
         let shadow = beside(seen, ends(light, seen));
         (shadow, flock.share * (shadow[1] - shadow[0]))
+    }
+
+    /// Whether zones have finishes that are the host's own.
+    pub(crate) fn has_hosted(&self) -> bool {
+        self.hosted_count > 0
     }
 
     /// All finishes, by number; the first is the flat surface's.

@@ -144,7 +144,7 @@ impl Shading {
         };
         let (mut brdf_cos, pdf) = self.first_bounce(&pair);
         if self.has_all_bounces() {
-            brdf_cos += self.indirect(&pair);
+            brdf_cos += self.indirect(pair);
         }
         let brdf_cos = finite(brdf_cos).to_array();
         Evaluated { brdf_cos, pdf }
@@ -156,28 +156,53 @@ impl Shading {
             lobes,
             density,
             seen,
-        } = in_lanes!(lanes => self.sums(lanes, pair));
-        let brdf_cos = self.zones.colour(&lobes, pair) + self.hosted(pair);
+        } = self.sums(pair);
+        let mut brdf_cos = self.zones.colour(&lobes, pair.view_half);
+        if self.zones.has_hosted() {
+            brdf_cos += self.hosted(*pair);
+        }
         let pdf = if seen > 0.0 { density / seen } else { 0.0 };
         (brdf_cos, if pdf.is_finite() { pdf } else { 0.0 })
     }
 
     /// What the lobes of each finish add up to, and the densities of all zones.
-    #[inline(always)]
-    fn sums<L: Lanes>(&self, lanes: L, pair: &Pair) -> Sums {
+    fn sums(&self, pair: &Pair) -> Sums {
         let directions = Directions::new(pair.view, pair.light);
         let mut sums = Sums::default();
-        self.each_zone(
+        let taken = if self.is_scratched() {
+            self.add_scratch_sums(pair, &directions, &mut sums)
+        } else {
+            0.0
+        };
+        let turned = pair.turned(ACROSS_SURFACE);
+        let seen_by = (&turned, &directions, ACROSS_SURFACE);
+        self.add_sums(One, &mut sums, &self.surface(taken), seen_by);
+        sums
+    }
+
+    /// Adds all zones of scratches; what of the flat surface they take from this light.
+    #[inline(never)]
+    fn add_scratch_sums(&self, pair: &Pair, directions: &Directions, sums: &mut Sums) -> f32 {
+        in_lanes!(lanes => self.each_scratch_zone(
             lanes,
             pair,
             #[inline(always)]
-            |zone, turned, across| {
-                sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, turned);
-                sums.density += self.density(lanes, zone, turned, &directions, across);
-                sums.seen += zone.seen.sum();
-            },
-        );
-        sums
+            |zone, turned, across| self.add_sums(lanes, sums, zone, (turned, directions, across)),
+        ))
+    }
+
+    /// Adds a zone; the pair is in the frame of its scratch, which has this first axis.
+    #[inline(always)]
+    fn add_sums<L: Lanes>(
+        &self,
+        lanes: L,
+        sums: &mut Sums,
+        zone: &Zone<L::F>,
+        (turned, directions, across): (&Pair, &Directions, Vec2),
+    ) {
+        sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, &zone.sees(turned));
+        sums.density += self.density(lanes, zone, turned, directions, across);
+        sums.seen += zone.seen.sum();
     }
 
     /// The zone in which the share `u` of all that is seen falls.

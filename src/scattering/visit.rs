@@ -3,7 +3,7 @@
 use super::flocks::Flock;
 use super::relief::{Relief, Zones, packed, unpacked};
 use super::visibility::{Across, Parts};
-use crate::brdf::Pair;
+use crate::brdf::{Local, Pair};
 use crate::lanes::{Lanes, Number, One};
 use glam::Vec3;
 
@@ -23,22 +23,27 @@ pub(crate) struct Zone<F = f32> {
 }
 
 impl Zone {
+    /// The flat surface, seen and lit in these shares of the pixel.
+    pub(crate) fn flat(seen: f32, lit: f32) -> Self {
+        Self {
+            facet: None,
+            normal: [0.0, 1.0],
+            finish: 0,
+            seen,
+            lit,
+        }
+    }
+
     pub(crate) fn normal(&self) -> Vec3 {
         Vec3::new(self.normal[0], 0.0, self.normal[1])
     }
 }
 
 impl<F: Number> Zone<F> {
-    /// The flat surface, seen and lit in these shares of the pixel.
-    pub(crate) fn flat<L: Lanes<F = F>>(lanes: L, seen: f32, lit: f32) -> Self {
-        let first = |share: f32| lanes.made(|i| if i == 0 { share } else { 0.0 });
-        Self {
-            facet: None,
-            normal: [lanes.all(0.0), lanes.all(1.0)],
-            finish: 0,
-            seen: first(seen),
-            lit: first(lit),
-        }
+    /// A pair in the frame of its scratch as it sees it.
+    #[inline(always)]
+    pub(crate) fn sees(&self, pair: &Pair) -> Local<F> {
+        pair.tilted(self.normal[0], self.normal[1])
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::shading::Shading;
 use crate::brdf::{Brdf, Pair};
-use crate::lanes::One;
 use glam::Vec2;
 
 /// A facet of a scratch, or the flat surface, as a point shows it. Directions are unit vectors in the local frame.
@@ -34,7 +33,7 @@ impl Shading {
         let lit = if pair.is_some() { 1.0 } else { 0.0 };
         let mut count = 0;
         let still = Pair::new(self.view, self.view);
-        self.each_zone(One, &pair.unwrap_or(still), |zone, _, across| {
+        self.each_zone(&pair.unwrap_or(still), |zone, _, across| {
             if zone.facet.is_some() && zone.seen <= 0.0 {
                 return;
             }
