@@ -24,6 +24,9 @@ pub(crate) const MOST_FINISHES: usize = 8;
 /// A shadow at grazing light is followed to this many times the height it falls from (down to 2.9 degrees).
 pub(crate) const LONGEST_SHADOW: f32 = 20.0;
 
+/// Shares are kept as whole numbers up to this.
+const WHOLE: f32 = 65535.0;
+
 /// Slots, and room for the register that is read from the last one.
 const ROOM: usize = MOST_SLOTS + 8;
 
@@ -232,11 +235,9 @@ impl Zones {
     /// The parts of facets that the viewer sees.
     #[inline(always)]
     pub(super) fn seen<L: Lanes>(&self, lanes: L, slot: usize) -> [L::F; 2] {
-        let from = &self.seen_from[slot..slot + L::WIDTH];
-        let to = &self.seen_to[slot..slot + L::WIDTH];
         [
-            lanes.made(|i| unpacked(from[i])),
-            lanes.made(|i| unpacked(to[i])),
+            lanes.load_whole(&self.seen_from[slot..]) / WHOLE,
+            lanes.load_whole(&self.seen_to[slot..]) / WHOLE,
         ]
     }
 
@@ -425,12 +426,12 @@ fn beside(inner: [f32; 2], wider: [f32; 2]) -> [f32; 2] {
     reason = "the cast saturates"
 )]
 pub(super) fn packed(share: f32) -> u16 {
-    (share * 65535.0 + 0.5) as u16
+    (share * WHOLE + 0.5) as u16
 }
 
 #[inline(always)]
 pub(super) fn unpacked(share: u16) -> f32 {
-    f32::from(share) / 65535.0
+    f32::from(share) / WHOLE
 }
 
 impl Relief {

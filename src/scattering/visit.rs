@@ -2,7 +2,7 @@
 
 use super::flocks::Flock;
 use super::relief::{Relief, Zones, packed, unpacked};
-use super::visibility::{Across, Parts};
+use super::visibility::{Across, Parts, first_or};
 use crate::brdf::{Local, Pair};
 use crate::lanes::{Lanes, Number, One};
 use glam::Vec3;
@@ -100,7 +100,10 @@ impl Zones {
         visit: &mut impl FnMut(&Zone<L::F>),
     ) {
         let numbers = &self.finish[slot..slot + L::WIDTH.min(left)];
-        let alike = numbers.iter().all(|number| *number == numbers[0]);
+        let same = |i: usize, number: u8| i >= left || number == numbers[0];
+        let places = self.finish[slot..slot + L::WIDTH].iter().enumerate();
+        // Without a way out: eight are compared at once.
+        let alike = places.fold(true, |alike, (i, &number)| alike & same(i, number));
         let x = lanes.load(&self.normal_x[slot..]);
         let normal = [x, (-(x * x) + 1.0).max(lanes.all(0.0)).sqrt()];
         let kinds = if alike { 1 } else { numbers.len() };
@@ -108,19 +111,22 @@ impl Zones {
             if numbers[..i].contains(&finish) {
                 continue;
             }
-            let own = |shares: L::F| {
-                if alike {
-                    return shares;
-                }
-                let other = |i: usize| numbers.get(i).is_none_or(|number| *number != finish);
-                shares.each(|i, share| if other(i) { 0.0 } else { share })
-            };
+            let (none, mut own) = (lanes.all(0.0), lanes.all(1.0));
+            if !alike {
+                own = lanes.made(|i| {
+                    if numbers.get(i) == Some(&finish) {
+                        1.0
+                    } else {
+                        0.0
+                    }
+                });
+            }
             visit(&Zone {
                 facet: Some(facet),
                 normal,
                 finish,
-                seen: own(seen),
-                lit: own(lit),
+                seen: own.if_above(none, seen, none),
+                lit: own.if_above(none, lit, none),
             });
         }
     }
@@ -199,11 +205,5 @@ impl Zones {
 /// The first `count` numbers, and 0 in place of the others.
 #[inline(always)]
 pub(super) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
-    if count >= L::WIDTH {
-        return numbers;
-    }
-    let place = lanes.made(|i| i as f32);
-    lanes
-        .all(count as f32)
-        .if_above(place, numbers, lanes.all(0.0))
+    first_or(lanes, count, numbers, 0.0)
 }
