@@ -2289,6 +2289,25 @@ enum StriaeStatus striae_shade(const struct StriaePattern *pattern,
                                struct StriaeShading *shading);
 
 /**
+ * striae_frame() and striae_shade() in one, for a view in the renderer's frame. Never allocates, locks or blocks; any number
+ * of threads at once. 256 KiB of stack suffice.
+ *
+ * A point that is refused can be used as after striae_shade(); but a bad normal has no frame: it reflects nothing, and the
+ * frame is all zeros, which no light has a direction in.
+ *
+ * @param pattern the pattern
+ * @param point the point
+ * @param view direction to the viewer, away from the surface, in the renderer's frame, of any length above 0
+ * @param frame receives the point's local frame
+ * @param shading receives the result; need not be initialised. Shading into it again replaces what it held
+ */
+enum StriaeStatus striae_shade_world(const struct StriaePattern *pattern,
+                                     const struct StriaePoint *point,
+                                     const float view[3],
+                                     struct StriaeFrame *frame,
+                                     struct StriaeShading *shading);
+
+/**
  * Evaluates a prepared point for one light. Never allocates, locks or blocks; any number of threads at once.
  *
  * @param shading filled in by striae_shade()
@@ -2301,6 +2320,21 @@ enum StriaeStatus striae_eval(const struct StriaeShading *shading,
                               const float light[3],
                               uint32_t flags,
                               float f[3]);
+
+/**
+ * As striae_eval(), with the light in the renderer's frame.
+ *
+ * @param shading filled in by striae_shade_world(), or striae_shade()
+ * @param frame the point's, from the same call, or striae_frame()
+ * @param light direction to the light, away from the surface, in the renderer's frame, of any length above 0
+ * @param flags as for striae_eval()
+ * @param f receives linear RGB, never negative, never NaN
+ */
+enum StriaeStatus striae_eval_world(const struct StriaeShading *shading,
+                                    const struct StriaeFrame *frame,
+                                    const float light[3],
+                                    uint32_t flags,
+                                    float f[3]);
 
 /**
  * The scratches in a footprint, whoever looks: for masks, labels and what else a renderer writes beside light.

@@ -6,7 +6,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::sync::atomic::{AtomicBool, Ordering};
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, f32x8};
+use fearless_simd::{Level, f32x8, u16x8};
 
 /// Whether registers of eight may be used at all.
 static ALLOWED: AtomicBool = AtomicBool::new(true);
@@ -169,6 +169,12 @@ pub(crate) trait Lanes: Copy {
     fn all(self, value: f32) -> Self::F;
     /// [`Self::WIDTH`] numbers from the first of `values` on.
     fn load(self, values: &[f32]) -> Self::F;
+    /// The same of whole numbers.
+    fn load_whole(self, values: &[u16]) -> Self::F;
+    /// In each place the least from there on.
+    fn least_from(self, numbers: Self::F) -> Self::F;
+    /// In each place the most up to there.
+    fn most_up_to(self, numbers: Self::F) -> Self::F;
     /// Writes [`Self::WIDTH`] of them.
     fn store(self, numbers: Self::F, values: &mut [f32]);
     fn made(self, of: impl FnMut(usize) -> f32) -> Self::F;
@@ -199,6 +205,21 @@ impl Lanes for One {
     }
 
     #[inline(always)]
+    fn load_whole(self, values: &[u16]) -> f32 {
+        f32::from(values[0])
+    }
+
+    #[inline(always)]
+    fn least_from(self, numbers: f32) -> f32 {
+        numbers
+    }
+
+    #[inline(always)]
+    fn most_up_to(self, numbers: f32) -> f32 {
+        numbers
+    }
+
+    #[inline(always)]
     fn store(self, numbers: f32, values: &mut [f32]) {
         values[0] = numbers;
     }
@@ -226,6 +247,32 @@ impl<S: Simd> Lanes for Eight<S> {
     #[inline(always)]
     fn load(self, values: &[f32]) -> Self::F {
         f32x8::from_slice(self.0, &values[..EIGHT])
+    }
+
+    #[inline(always)]
+    fn load_whole(self, values: &[u16]) -> Self::F {
+        let values = u16x8::from_slice(self.0, &values[..EIGHT]);
+        let (first, last) = self.0.widen_u16x8(values);
+        let all = self.0.combine_u32x4(first, last);
+        // None is so large that it would be negative.
+        self.0.cvt_f32_i32x8(all.bitcast())
+    }
+
+    /// Of neighbours, then of twos, then of fours.
+    #[inline(always)]
+    fn least_from(self, numbers: Self::F) -> Self::F {
+        let none = self.all(f32::INFINITY);
+        let two = Number::min(numbers, self.0.slide_f32x8::<1>(numbers, none));
+        let four = Number::min(two, self.0.slide_f32x8::<2>(two, none));
+        Number::min(four, self.0.slide_f32x8::<4>(four, none))
+    }
+
+    #[inline(always)]
+    fn most_up_to(self, numbers: Self::F) -> Self::F {
+        let none = self.all(f32::NEG_INFINITY);
+        let two = Number::max(numbers, self.0.slide_f32x8::<7>(none, numbers));
+        let four = Number::max(two, self.0.slide_f32x8::<6>(none, two));
+        Number::max(four, self.0.slide_f32x8::<4>(none, four))
     }
 
     #[inline(always)]

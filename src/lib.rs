@@ -59,6 +59,20 @@ pub mod scattering;
 
 pub use error::{Error, Result};
 
+/// Unit length at any scale, in double precision: single would lose small and large vectors, and denormal ones under
+/// flush-to-zero. Nothing if it has no direction.
+#[inline(always)]
+pub(crate) fn unit(v: [f32; 3]) -> Option<glam::DVec3> {
+    let v = glam::Vec3::from(v).as_dvec3();
+    let excess = v.length_squared() - 1.0;
+    // Most vectors are of unit length but for rounding: a step of Newton's iteration, without root and division, leaves
+    // an error of 4e-11.
+    if excess.abs() < 1e-5 {
+        return Some(v * (1.0 - 0.5 * excess));
+    }
+    v.try_normalize()
+}
+
 /// The one place where building precision becomes shading precision.
 #[expect(
     clippy::cast_possible_truncation,

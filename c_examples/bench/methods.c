@@ -78,20 +78,31 @@ static StriaePoint point_of(const Plate *plate, const Square *square, const Surf
 static void evaluate(const Plate *plate, const StriaeShading *shading, const StriaeFrame *frame, Vec position,
                      float f_cos[PLATE_MAX_LAMPS][3]) {
     float lights[PLATE_MAX_LAMPS][3];
-    for (int i = 0; i < plate->lamp_count; i++) {
-        light_of(plate, position, i, lights[i]);
-        striae_frame_to_local(frame, lights[i], lights[i]);
-    }
+    for (int i = 0; i < plate->lamp_count; i++) light_of(plate, position, i, lights[i]);
     if (plate->lamp_count == 1) {
-        striae_eval(shading, lights[0], 0, f_cos[0]);
+        striae_eval_world(shading, frame, lights[0], 0, f_cos[0]);
         return;
     }
+    for (int i = 0; i < plate->lamp_count; i++) striae_frame_to_local(frame, lights[i], lights[i]);
     const StriaeVectors light = {lights[0], lights[0] + 1, lights[0] + 2, 3};
     const StriaeVectorsOut out = {f_cos[0], f_cos[0] + 1, f_cos[0] + 2, 3};
     striae_eval_many(shading, (size_t)plate->lamp_count, &light, (size_t)plate->lamp_count, 0, &out);
 }
 
-/* The library and the earlier systems differ in one call. */
+/* Here the library and the earlier systems differ. What is refused reflects nothing, or as if there were no scratch. */
+static void prepare(const Method *method, const StriaePoint *point, Vec direction, StriaeFrame *frame,
+                    StriaeShading *shading) {
+    float view[3];
+    view_of(direction, view);
+    if (method->pattern) {
+        striae_shade_world(method->pattern, point, view, frame, shading);
+        return;
+    }
+    if (striae_frame(point, frame) != STRIAE_STATUS_OK) *frame = (StriaeFrame){.z = {0.0f}};
+    striae_frame_to_local(frame, view, view);
+    striae_baseline_shade(method->baseline, point, view, shading);
+}
+
 static void shade_scratched(const Method *method, const Square *square, double radiance[3]) {
     const Plate *plate = method->plate;
     Surface surface;
@@ -100,15 +111,8 @@ static void shade_scratched(const Method *method, const Square *square, double r
     const StriaePoint point = point_of(plate, square, &surface);
     StriaeFrame frame;
     StriaeShading shading;
-    float view[3], f_cos[PLATE_MAX_LAMPS][3];
-    if (striae_frame(&point, &frame) != STRIAE_STATUS_OK) return;
-    view_of(direction, view);
-    striae_frame_to_local(&frame, view, view);
-    if (method->pattern) {
-        striae_shade(method->pattern, &point, view, &shading);
-    } else {
-        striae_baseline_shade(method->baseline, &point, view, &shading);
-    }
+    float f_cos[PLATE_MAX_LAMPS][3];
+    prepare(method, &point, direction, &frame, &shading);
     evaluate(plate, &shading, &frame, surface.position, f_cos);
     for (int i = 0; i < plate->lamp_count; i++) add_lamp(plate, &surface, i, f_cos[i], radiance);
 }

@@ -24,26 +24,28 @@ Vec camera_direction(const Camera *camera, double x, double y) {
     return vec_along(across, y - camera->centre_y, camera->down);
 }
 
-/* Where the ray through (x, y) meets the tangent plane, relative to the surface point. */
-static bool plane_offset(const Camera *camera, const Surface *surface, double x, double y, Vec *offset) {
-    const Vec direction = camera_direction(camera, x, y);
-    const Vec from = vec_sub(camera->position, surface->position);
-    const double toward = -vec_dot(direction, surface->geometric);
-    if (!(toward > 0.0)) return false;
-    *offset = vec_along(from, vec_dot(from, surface->geometric) / toward, direction);
+/* How far apart two rays meet the tangent plane: those half a step to either side of a direction that approaches the plane so
+   fast, from so high above it. Their two places are not subtracted: that would lose the digits they share. */
+static bool edge_on_plane(const Surface *surface, double height, Vec direction, double toward, Vec step, Vec *edge) {
+    const double away = vec_dot(step, surface->geometric), least = toward - 0.5 * fabs(away);
+    if (!(least > 0.0)) return false;
+    const double scale = height / (least * (toward + 0.5 * fabs(away)));
+    *edge = vec_along(vec_scale(step, toward * scale), away * scale, direction);
     return true;
 }
 
 bool camera_footprint(const Camera *camera, const Surface *surface, double x, double y, double size,
                       float duv_dx[2], float duv_dy[2]) {
-    const double half = 0.5 * size;
-    Vec left, right, top, bottom;
-    if (!plane_offset(camera, surface, x - half, y, &left) || !plane_offset(camera, surface, x + half, y, &right) ||
-        !plane_offset(camera, surface, x, y - half, &top) || !plane_offset(camera, surface, x, y + half, &bottom))
+    const Vec direction = camera_direction(camera, x, y);
+    const double toward = -vec_dot(direction, surface->geometric);
+    const double height = vec_dot(vec_sub(camera->position, surface->position), surface->geometric);
+    Vec right, below;
+    if (!edge_on_plane(surface, height, direction, toward, vec_scale(camera->right, size), &right) ||
+        !edge_on_plane(surface, height, direction, toward, vec_scale(camera->down, size), &below))
         return false;
     double across[2], down[2];
-    surface_to_uv(surface, vec_sub(right, left), across);
-    surface_to_uv(surface, vec_sub(bottom, top), down);
+    surface_to_uv(surface, right, across);
+    surface_to_uv(surface, below, down);
     for (int axis = 0; axis < 2; axis++) {
         duv_dx[axis] = (float)across[axis];
         duv_dy[axis] = (float)down[axis];

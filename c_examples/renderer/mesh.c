@@ -111,11 +111,3 @@ Surface mesh_surface(const Mesh *mesh, size_t triangle, Vec origin, Vec directio
     }
     return surface;
 }
-
-void surface_to_uv(const Surface *surface, Vec tangent, double duv[2]) {
-    const double uu = vec_dot(surface->dp_du, surface->dp_du), vv = vec_dot(surface->dp_dv, surface->dp_dv);
-    const double uv = vec_dot(surface->dp_du, surface->dp_dv), determinant = uu * vv - uv * uv;
-    const double tu = vec_dot(tangent, surface->dp_du), tv = vec_dot(tangent, surface->dp_dv);
-    duv[0] = (vv * tu - uv * tv) / determinant;
-    duv[1] = (uu * tv - uv * tu) / determinant;
-}

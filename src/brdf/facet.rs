@@ -2,7 +2,7 @@
 
 use super::{Brdf, Finish, Pair};
 use crate::error::{Result, in_range};
-use crate::single;
+use crate::{single, unit};
 use glam::Vec3;
 
 /// A base BRDF on one facet of a scratch, as a shading point weighs it: nothing around it shadows or masks it.
@@ -59,6 +59,5 @@ impl Facet {
 
 /// Unit length at any scale; no direction is 0.
 fn direction(v: [f32; 3]) -> Vec3 {
-    let v = Vec3::from(v).as_dvec3();
-    v.normalize_or_zero().as_vec3()
+    unit(v).map_or(Vec3::ZERO, |v| v.as_vec3())
 }

@@ -240,6 +240,7 @@ impl Finish {
     }
 
     /// What all zones of this finish share for a pair of directions.
+    #[inline(always)]
     pub(crate) fn shared(&self, pair: &Pair) -> Vec3 {
         Vec3::from(self.colour(pair.view_half))
     }
@@ -345,6 +346,7 @@ impl Finish {
     }
 
     /// Widths of the distribution of slopes, across the scratch and along it; 1 if it is diffuse.
+    #[inline(always)]
     pub(crate) fn alphas(&self) -> Vec2 {
         match self.lobe {
             ANISOTROPIC_GGX | HOSTED_DIFFUSE | HOSTED_GLOSSY => Vec2::new(self.alpha, self.second),

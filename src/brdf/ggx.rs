@@ -3,25 +3,26 @@
 use super::Local;
 use super::finish::{LEAST_COS, if_above};
 use crate::lanes::{Number, Vector};
-use core::f32::consts::{PI, TAU};
+use core::f32::consts::{FRAC_1_PI, TAU};
 use glam::{Vec2, Vec3};
 
 /// D G / (4 n·l n·v) · n·l of facets `alpha` wide across and along, for both cosines above 0.
 #[inline(always)]
 pub(super) fn lobe_cos<F: Number>(alpha: Vec2, pair: &Local<F>) -> F {
     let (light, view) = (&pair.light, &pair.view);
-    let visibility =
-        light.z.like(0.5) / (light.z * smith(alpha, view) + view.z * smith(alpha, light));
-    distribution(alpha, &pair.half) * light.z * visibility
+    let shown = light.z * smith(alpha, view) + view.z * smith(alpha, light);
+    let spread = spread(alpha, &pair.half);
+    // One division for all.
+    light.z * (0.5 * FRAC_1_PI * alpha.x * alpha.y) / (spread * spread * shown)
 }
 
-/// The density of microfacets whose normal is `half`: sines and cosine each by themselves, so that nothing cancels near the
-/// highlight's centre.
+/// The root of what divides alpha across times alpha along over pi in the density of microfacets whose normal is `half`:
+/// sines and cosine each by themselves, so that nothing cancels near the highlight's centre.
 #[inline(always)]
-fn distribution<F: Number>(alpha: Vec2, half: &Vector<F>) -> F {
-    let (x, y) = (half.x * (1.0 / alpha.x), half.y * (1.0 / alpha.y));
-    let denominator = x * x + y * y + half.z * half.z;
-    denominator.like(1.0 / (PI * alpha.x * alpha.y)) / (denominator * denominator)
+fn spread<F: Number>(alpha: Vec2, half: &Vector<F>) -> F {
+    half.x * half.x * (alpha.y / alpha.x)
+        + half.y * half.y * (alpha.x / alpha.y)
+        + half.z * half.z * (alpha.x * alpha.y)
 }
 
 /// Its excess over the cosine is what masking takes.
@@ -31,9 +32,9 @@ fn smith<F: Number>(alpha: Vec2, w: &Vector<F>) -> F {
     (x * x + y * y + w.z * w.z).sqrt()
 }
 
-/// The same lobe and density, but for `scale`, for many facets of one finish and directions in the frames of scratches. What turns those into
-/// the facets' own frames keeps y and x² + z²: so that both roots and the distribution's denominator are a number
-/// that all facets share and a multiple of one square.
+/// The same lobe and density, but for `scale`, for many facets of one finish and directions in the frames of scratches.
+/// What turns those into the facets' own frames keeps y and x² + z²: so that both roots and the distribution's
+/// denominator are a number that all facets share and a multiple of one square.
 pub(super) struct Tilting<F> {
     view: Vector<F>,
     light: Vector<F>,
@@ -63,7 +64,7 @@ impl<F: Number> Tilting<F> {
             of_half: across_and_along(&pair.half, 1.0, over.y),
             by_cos: like.like(1.0 - squares.x),
             by_sin: like.like(over.x - 1.0),
-            scale: 0.5 / (PI * alpha.x * alpha.y),
+            scale: 0.5 * FRAC_1_PI / (alpha.x * alpha.y),
         }
     }
 
@@ -135,5 +136,7 @@ pub(super) fn sample(alpha: Vec2, u: [f32; 2], view: Vec3) -> Vec3 {
 /// The density of [`sample`] mirrored to lights, per steradian.
 #[inline(always)]
 pub(super) fn pdf<F: Number>(alpha: Vec2, pair: &Local<F>) -> F {
-    distribution(alpha, &pair.half) * 0.5 / (pair.view.z + smith(alpha, &pair.view))
+    let shown = pair.view.z + smith(alpha, &pair.view);
+    let spread = spread(alpha, &pair.half);
+    shown.like(0.5 * FRAC_1_PI * alpha.x * alpha.y) / (spread * spread * shown)
 }

@@ -52,6 +52,7 @@ impl<F: Number> Local<F> {
 }
 
 impl Pair {
+    #[inline(always)]
     pub(crate) fn new(view: Vec3, light: Vec3) -> Self {
         let sum = view + light;
         // Opposite directions (their sum 0) have no half vector; they are never both above a zone.
@@ -59,7 +60,7 @@ impl Pair {
         Self {
             view,
             light,
-            half: sum / length.max(1e-6),
+            half: sum * (1.0 / length.max(1e-6)),
             // Half their sum's length: the same whichever is which, also once both are rounded.
             view_half: (0.5 * length).min(1.0),
         }
@@ -81,7 +82,24 @@ impl Pair {
         }
     }
 
+    /// The same pair as the flat surface sees it: a zone of a scratch that runs along x.
+    #[inline(always)]
+    pub(crate) fn level(&self) -> Local<f32> {
+        let turned = |w: Vec3| Vector {
+            x: -w.y,
+            y: w.x,
+            z: w.z,
+        };
+        Local {
+            view: turned(self.view),
+            light: turned(self.light),
+            half: turned(self.half),
+            view_half: self.view_half,
+        }
+    }
+
     /// The same pair in the frame (across, along, up) of a scratch.
+    #[inline(always)]
     pub(crate) fn turned(&self, across: Vec2) -> Self {
         let along = Vec2::new(-across.y, across.x);
         let turn = |w: Vec3| Vec3::new(w.truncate().dot(across), w.truncate().dot(along), w.z);

@@ -182,9 +182,8 @@ pub unsafe extern "C" fn striae_baseline_shade(
                 exclusive("shading", shading.cast::<Shading>())?,
             )
         };
-        let (surface_point, footprint) = point.surface_point();
-        baseline.0.shade(&surface_point, view, shading)?;
-        footprint
+        baseline.0.shade(&point.surface_point(), view, shading)?;
+        point.check_footprint()
     })
 }
 

@@ -87,9 +87,8 @@ pub unsafe extern "C" fn striae_pattern_query(
                 exclusive_array(["hits", "capacity"], hits.cast::<ScratchHit>(), capacity)?,
             )
         };
-        let (surface_point, footprint) = point.surface_point();
-        footprint?;
-        *count = pattern.0.hits(&surface_point, hits)?.into();
+        point.check_footprint()?;
+        *count = pattern.0.hits(&point.surface_point(), hits)?.into();
         Ok(())
     })
 }

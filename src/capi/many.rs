@@ -208,9 +208,8 @@ pub unsafe extern "C" fn striae_shade_many(
             let point = unsafe { &*points.byte_add(i * point_stride) };
             // SAFETY: a Shading is made of numbers for which all bits are valid, and fits into a StriaeShading.
             let shading = unsafe { &mut *core::ptr::from_mut(shading).cast::<Shading>() };
-            let (surface_point, footprint) = point.surface_point();
-            let shaded = shading.shade(&pattern.0, &surface_point, views.get(i));
-            let shaded = shaded.and(footprint);
+            let shaded = shading.shade(&pattern.0, &point.surface_point(), views.get(i));
+            let shaded = shaded.and_then(|()| point.check_footprint());
             outcome = outcome.and(shaded.map_err(|error| error.within("points", i)));
         }
         outcome

@@ -84,22 +84,9 @@ const _: () = assert!(
 );
 
 impl StriaePoint {
-    pub(super) fn surface_point(&self) -> (SurfacePoint, Result<()>) {
-        let (footprint, checked) = match self.footprint {
-            0 => (Footprint::Point, Ok(())),
-            1 => (Footprint::Radius(self.radius), Ok(())),
-            2 => {
-                let (duv_dx, duv_dy) = (self.duv_dx, self.duv_dy);
-                (Footprint::Differentials { duv_dx, duv_dy }, Ok(()))
-            }
-            other => {
-                let accepted = "a StriaeFootprint, 0 to 2";
-                (
-                    Footprint::Point,
-                    Err(Error::number("footprint", f64::from(other), accepted)),
-                )
-            }
-        };
+    /// The point as the library has it; without a known footprint it is a point.
+    #[inline(always)]
+    pub(super) fn surface_point(&self) -> SurfacePoint {
         let &Self {
             uv,
             dp_du,
@@ -107,16 +94,44 @@ impl StriaePoint {
             normal,
             ..
         } = self;
-        (
-            SurfacePoint {
-                uv,
-                dp_du,
-                dp_dv,
-                normal,
-                footprint,
-            },
-            checked,
-        )
+        let footprint = match self.footprint {
+            1 => Footprint::Radius(self.radius),
+            2 => {
+                let (duv_dx, duv_dy) = (self.duv_dx, self.duv_dy);
+                Footprint::Differentials { duv_dx, duv_dy }
+            }
+            _ => Footprint::Point,
+        };
+        SurfacePoint {
+            uv,
+            dp_du,
+            dp_dv,
+            normal,
+            footprint,
+        }
+    }
+
+    /// Fails where its footprint is none that is known.
+    pub(super) fn check_footprint(&self) -> Result<()> {
+        if self.footprint <= StriaeFootprint::Differentials as u32 {
+            return Ok(());
+        }
+        let accepted = "a StriaeFootprint, 0 to 2";
+        Err(Error::number(
+            "footprint",
+            f64::from(self.footprint),
+            accepted,
+        ))
+    }
+}
+
+impl From<Frame> for StriaeFrame {
+    fn from(Frame { x, y, z }: Frame) -> Self {
+        Self {
+            x: x.to_array(),
+            y: y.to_array(),
+            z: z.to_array(),
+        }
     }
 }
 
@@ -178,12 +193,7 @@ pub unsafe extern "C" fn striae_frame(
     guard(|| {
         // SAFETY: each is NULL or valid, as the header asks.
         let (point, frame) = unsafe { (borrowed("point", point)?, exclusive("frame", frame)?) };
-        let Frame { x, y, z } = Frame::at(&point.surface_point().0)?;
-        *frame = StriaeFrame {
-            x: x.to_array(),
-            y: y.to_array(),
-            z: z.to_array(),
-        };
+        *frame = Frame::of(point.normal, point.dp_du)?.into();
         Ok(())
     })
 }
@@ -274,9 +284,56 @@ pub unsafe extern "C" fn striae_shade(
                 exclusive("shading", shading.cast::<Shading>())?,
             )
         };
-        let (surface_point, footprint) = point.surface_point();
+        shading.shade(&pattern.0, &point.surface_point(), view)?;
+        point.check_footprint()
+    })
+}
+
+/// striae_frame() and striae_shade() in one, for a view in the renderer's frame. Never allocates, locks or blocks; any number
+/// of threads at once. 256 KiB of stack suffice.
+///
+/// A point that is refused can be used as after striae_shade(); but a bad normal has no frame: it reflects nothing, and the
+/// frame is all zeros, which no light has a direction in.
+///
+/// @param pattern the pattern
+/// @param point the point
+/// @param view direction to the viewer, away from the surface, in the renderer's frame, of any length above 0
+/// @param frame receives the point's local frame
+/// @param shading receives the result; need not be initialised. Shading into it again replaces what it held
+/// cbindgen:ptrs-as-arrays=[[view;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_shade_world(
+    pattern: *const StriaePattern,
+    point: *const StriaePoint,
+    view: *const f32,
+    frame: *mut StriaeFrame,
+    shading: *mut StriaeShading,
+) -> StriaeStatus {
+    guard(|| {
+        // SAFETY: each is NULL or valid, as the header asks; a Shading as in striae_shade().
+        let (pattern, point, view, frame, shading) = unsafe {
+            (
+                borrowed("pattern", pattern)?,
+                borrowed("point", point)?,
+                *borrowed("view", view.cast::<[f32; 3]>())?,
+                exclusive("frame", frame)?,
+                exclusive("shading", shading.cast::<Shading>())?,
+            )
+        };
+        let surface_point = point.surface_point();
+        let own = match Frame::of(point.normal, point.dp_du) {
+            Ok(own) => own,
+            Err(error) => {
+                *frame = Frame::NONE.into();
+                // No view has a direction in it either.
+                let _refused = shading.shade(&pattern.0, &surface_point, [0.0; 3]);
+                return Err(error);
+            }
+        };
+        *frame = own.into();
+        let view = own.to_local(Vec3::from(view)).to_array();
         shading.shade(&pattern.0, &surface_point, view)?;
-        footprint
+        point.check_footprint()
     })
 }
 
@@ -300,6 +357,32 @@ pub unsafe extern "C" fn striae_eval(
         ask(shading, ("f", f.cast::<[f32; 3]>()), |shading| {
             let light = vector("light", light)?;
             Ok(shading.eval(light, output(flags)?))
+        })
+    }
+}
+
+/// As striae_eval(), with the light in the renderer's frame.
+///
+/// @param shading filled in by striae_shade_world(), or striae_shade()
+/// @param frame the point's, from the same call, or striae_frame()
+/// @param light direction to the light, away from the surface, in the renderer's frame, of any length above 0
+/// @param flags as for striae_eval()
+/// @param f receives linear RGB, never negative, never NaN
+/// cbindgen:ptrs-as-arrays=[[light;3], [f;3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn striae_eval_world(
+    shading: *const StriaeShading,
+    frame: *const StriaeFrame,
+    light: *const f32,
+    flags: u32,
+    f: *mut f32,
+) -> StriaeStatus {
+    // SAFETY: each is NULL or valid, as the header asks.
+    unsafe {
+        ask(shading, ("f", f.cast::<[f32; 3]>()), |shading| {
+            let frame = Frame::from(borrowed("frame", frame)?);
+            let light = frame.to_local(Vec3::from(vector("light", light)?));
+            Ok(shading.eval(light.to_array(), output(flags)?))
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::region::{Region, THINNEST_MM};
 use crate::error::{Error, Result, all_finite, in_range};
+use crate::unit;
 use core::f64::consts::FRAC_1_SQRT_2;
 use glam::{DMat2, DVec2, DVec3, Vec3};
 
@@ -60,15 +61,28 @@ impl Frame {
     ///
     /// Errors: `normal` is zero or not finite.
     pub fn at(point: &SurfacePoint) -> Result<Self> {
-        all_finite("normal", &point.normal)?;
-        let accepted = "a vector of any length above 0";
-        let z = direction(point.normal).ok_or(Error::number("normal", 0.0, accepted))?;
-        let du = Vec3::from(point.dp_du).as_dvec3();
+        Self::of(point.normal, point.dp_du)
+    }
+
+    /// No frame: nothing has a direction in it.
+    pub(crate) const NONE: Self = Self {
+        x: Vec3::ZERO,
+        y: Vec3::ZERO,
+        z: Vec3::ZERO,
+    };
+
+    /// The same by all of the point that counts.
+    #[inline(always)]
+    pub(crate) fn of(normal: [f32; 3], dp_du: [f32; 3]) -> Result<Self> {
+        let Some(z) = unit(normal) else {
+            return Err(no_normal(normal));
+        };
+        let du = Vec3::from(dp_du).as_dvec3();
         let tangent = du - z * z.dot(du);
         let square = tangent.length_squared();
         // Not a number where dP/du is none.
         let x = if square > 1e-16 * du.length_squared() && square.is_finite() {
-            tangent / square.sqrt()
+            tangent * (1.0 / square.sqrt())
         } else {
             z.any_orthonormal_vector()
         };
@@ -93,6 +107,7 @@ impl Frame {
 impl SurfacePoint {
     /// A box in (u, v) that holds all within reach of the footprint, told at a glance: most points have no scratch
     /// near, and need no frame. None for points that ask for a closer look, and for those that are not usable.
+    #[inline(always)]
     pub(crate) fn box_at_a_glance(&self, mm_per_unit: f64, reach_mm: f64) -> Option<[DVec2; 2]> {
         let [du, dv, normal] =
             [self.dp_du, self.dp_dv, self.normal].map(|v| Vec3::from(v).as_dvec3());
@@ -124,10 +139,12 @@ impl SurfacePoint {
     }
 }
 
-/// Unit length in double precision: single precision would lose small and large vectors, and
-/// denormal ones under flush-to-zero.
-fn direction(v: [f32; 3]) -> Option<DVec3> {
-    Vec3::from(v).as_dvec3().try_normalize()
+/// Why it is no normal.
+#[cold]
+fn no_normal(normal: [f32; 3]) -> Error {
+    let accepted = "a vector of any length above 0";
+    let none = Error::number("normal", 0.0, accepted);
+    all_finite("normal", &normal).err().unwrap_or(none)
 }
 
 /// Texture space and the tangent plane around one point.

@@ -81,8 +81,10 @@ impl Pattern {
 
     /// The pieces near a box in (u, v); false if they are too many.
     pub(crate) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
-        if self.grid.raster.count_touched(low, high) > MOST_CELLS {
-            return false;
+        match self.grid.raster.count_touched(low, high) {
+            0 => return true,
+            count if count > MOST_CELLS => return false,
+            _ => {}
         }
         let curves = self.curves();
         let flow = self.grid.query(low, high, |listed| {

@@ -42,7 +42,8 @@ impl Shading {
     }
 
     /// What reaches the viewer after more than one bounce: BRDF times cosine, RGB.
-    pub(super) fn indirect(&self, pair: &Pair) -> Vec3 {
+    #[inline(never)]
+    pub(super) fn indirect(&self, pair: Pair) -> Vec3 {
         let mut sum = Vec3::ZERO;
         let mut parts = [const { Parts::new() }; 2];
         let still = Pair::new(pair.view, pair.view);

@@ -4,7 +4,7 @@ use super::abreast::{Light, Reflected};
 use super::shading::{LEAST_COS, Shading, direction};
 use super::visibility::Parts;
 use super::visit::Zone;
-use crate::brdf::{ACROSS_SURFACE, Pair};
+use crate::brdf::{ACROSS_SURFACE, Local, Pair};
 use crate::lanes::{Lanes, Number, One, in_lanes};
 use glam::{Vec2, Vec3};
 
@@ -25,6 +25,7 @@ pub enum Output {
 impl Shading {
     /// RGB reflected towards the view from a light in direction `light` (of any length above 0, in the local
     /// frame). Black for a light that is no direction, or below the surface.
+    #[inline(always)]
     pub fn eval(&self, light: [f32; 3], output: Output) -> [f32; 3] {
         let Some(pair) = self.pair(light) else {
             return [0.0; 3];
@@ -32,11 +33,12 @@ impl Shading {
         let sum = self.reflected(&pair);
         match output {
             Output::BrdfCos => sum.to_array(),
-            Output::Brdf => (sum / pair.light.z).to_array(),
+            Output::Brdf => without_cos(sum, pair.light.z),
         }
     }
 
     /// View and light, unless this light or this point reflects nothing.
+    #[inline(always)]
     pub(super) fn pair(&self, light: [f32; 3]) -> Option<Pair> {
         let light = direction(light).filter(|light| light.z >= LEAST_COS)?;
         self.is_seen().then(|| Pair::new(self.view, light))
@@ -48,18 +50,47 @@ impl Shading {
     }
 
     /// BRDF times cosine, RGB.
+    #[inline(always)]
     pub(super) fn reflected(&self, pair: &Pair) -> Vec3 {
-        let sums = in_lanes!(lanes => self.sums(lanes, pair, None));
-        let mut sum = self.zones.colour(&sums.lobes, pair) + self.hosted(pair);
+        // Pairs by value: on the way of most points, which have no scratch, none is written down.
+        let mut sums = if self.is_scratched() {
+            self.scratch_sums(*pair, None)
+        } else {
+            Reflected::NONE
+        };
+        sums.lobes[0] += self.lobe(One, &self.surface(sums.taken), &pair.level());
+        let mut sum = self.zones.colour(&sums.lobes, pair.view_half);
+        if self.zones.has_hosted() {
+            sum += self.hosted(*pair);
+        }
         if self.has_all_bounces() {
-            sum += self.indirect(pair);
+            sum += self.indirect(*pair);
         }
         finite(sum)
     }
 
-    /// What all zones reflect of a light, and how often their samples go there if it is also given `below` the surface.
+    /// What all scratches reflect of a light, and how often their zones' samples go there if it is also given `below` the
+    /// surface.
+    #[inline(never)]
+    pub(super) fn scratch_sums(&self, pair: Pair, below: Option<&Pair>) -> Reflected<f32> {
+        in_lanes!(lanes => self.scratch_sums_in(lanes, &pair, below))
+    }
+
+    /// The same with the flat surface, of which scratches take what these sums say.
+    pub(super) fn with_surface(
+        &self,
+        mut sums: Reflected<f32>,
+        pair: &Pair,
+        below: Option<&Pair>,
+    ) -> Reflected<f32> {
+        let turned = pair.turned(ACROSS_SURFACE);
+        let surface = self.surface(sums.taken);
+        self.add_zone(One, &mut sums, &surface, (&turned, below, ACROSS_SURFACE));
+        sums
+    }
+
     #[inline(always)]
-    pub(super) fn sums<L: Lanes>(
+    pub(super) fn scratch_sums_in<L: Lanes>(
         &self,
         lanes: L,
         pair: &Pair,
@@ -73,32 +104,40 @@ impl Shading {
             };
             [sums] = self.by_flocks(lanes, &[light]);
         }
-        let taken = sums.taken;
-        self.each_zone_but_flocks(
+        let taken = self.each_relief_zone(
             lanes,
             pair,
-            taken,
             #[inline(always)]
-            |zone, turned, across| {
-                sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, turned);
-                if let Some(below) = below {
-                    sums.density += self.density(lanes, zone, turned, below, across);
-                    sums.seen += zone.seen.sum();
-                }
-            },
+            |zone, turned, across| self.add_zone(lanes, &mut sums, zone, (turned, below, across)),
         );
+        sums.taken += taken;
         sums
     }
 
-    /// What of a finish's colour lit zones reflect; `pair` is in the frame of their scratch.
+    /// Adds a zone; the pair is in the frame of its scratch, which has this first axis.
     #[inline(always)]
-    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Pair) -> f32 {
+    fn add_zone<L: Lanes>(
+        &self,
+        lanes: L,
+        sums: &mut Reflected<f32>,
+        zone: &Zone<L::F>,
+        (turned, below, across): (&Pair, Option<&Pair>, Vec2),
+    ) {
+        sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, &zone.sees(turned));
+        if let Some(below) = below {
+            sums.density += self.density(lanes, zone, turned, below, across);
+            sums.seen += zone.seen.sum();
+        }
+    }
+
+    /// What of a finish's colour lit zones reflect; `pair` is as they see it.
+    #[inline(always)]
+    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Local<L::F>) -> f32 {
         if !zone.lit.any() {
             return 0.0;
         }
-        let [x, z] = zone.normal;
         let finish = self.zones.finish_of(zone.finish);
-        let lobes = finish.lobes_cos(lanes, &pair.tilted(x, z));
+        let lobes = finish.lobes_cos(lanes, pair);
         let none = lanes.all(0.0);
         // Where no light falls a lobe may be anything.
         (zone.lit.if_above(none, zone.lit * lobes, none)).sum()
@@ -108,35 +147,26 @@ impl Shading {
     /// axis; the flat surface comes last.
     pub(super) fn each_zone(&self, pair: &Pair, mut visit: impl FnMut(&Zone, &Pair, Vec2)) {
         let mut taken = self.each_relief_zone(One, pair, &mut visit);
-        let mut parts = [const { Parts::new() }; 2];
-        for flock in self.flocks.iter() {
-            let (across, pair) = (flock.across, pair.turned(flock.across));
-            let visit = |zone: &Zone| visit(zone, &pair, across);
-            taken += self.zones.each_of_flock(&mut parts, &flock, &pair, visit);
+        // To clear these takes as long as to look at a scratch.
+        if !self.flocks.is_empty() {
+            let mut parts = [const { Parts::new() }; 2];
+            for flock in self.flocks.iter() {
+                let (across, pair) = (flock.across, pair.turned(flock.across));
+                let visit = |zone: &Zone| visit(zone, &pair, across);
+                taken += self.zones.each_of_flock(&mut parts, &flock, &pair, visit);
+            }
         }
-        self.visit_flat(One, pair, taken, &mut visit);
+        let turned = pair.turned(ACROSS_SURFACE);
+        visit(&self.surface(taken), &turned, ACROSS_SURFACE);
     }
 
-    /// The same without flocks, which take this share of the flat surface from the light.
-    #[inline(always)]
-    fn each_zone_but_flocks<L: Lanes>(
-        &self,
-        lanes: L,
-        pair: &Pair,
-        taken: f32,
-        mut visit: impl FnMut(&Zone<L::F>, &Pair, Vec2),
-    ) {
-        let taken = taken + self.each_relief_zone(lanes, pair, &mut visit);
-        self.visit_flat(lanes, pair, taken, &mut visit);
-    }
-
-    /// The scratches' own that are held one by one; returns what of the flat surface they take from the light.
+    /// The zones of scratches that are held one by one: what of the flat surface they take from the light.
     #[inline(always)]
     fn each_relief_zone<L: Lanes>(
         &self,
         lanes: L,
         pair: &Pair,
-        visit: &mut impl FnMut(&Zone<L::F>, &Pair, Vec2),
+        mut visit: impl FnMut(&Zone<L::F>, &Pair, Vec2),
     ) -> f32 {
         let mut taken = 0.0;
         let mut parts = Parts::new();
@@ -154,16 +184,14 @@ impl Shading {
         taken
     }
 
-    #[inline(always)]
-    fn visit_flat<L: Lanes>(
-        &self,
-        lanes: L,
-        pair: &Pair,
-        taken: f32,
-        visit: &mut impl FnMut(&Zone<L::F>, &Pair, Vec2),
-    ) {
-        let flat = Zone::flat(lanes, rest(self.coverage()), rest(taken));
-        visit(&flat, &pair.turned(ACROSS_SURFACE), ACROSS_SURFACE);
+    /// The flat surface, by what scratches take of it from this light.
+    pub(super) fn surface(&self, taken: f32) -> Zone {
+        Zone::flat(rest(self.coverage()), rest(taken))
+    }
+
+    /// Whether it holds any scratch.
+    pub(super) fn is_scratched(&self) -> bool {
+        self.relief_count > 0 || !self.flocks.is_empty()
     }
 }
 
@@ -176,6 +204,16 @@ pub(super) fn rest(taken: f32) -> f32 {
     }
 }
 
+/// Black in place of what is no colour.
+#[inline(always)]
 pub(super) fn finite(rgb: Vec3) -> Vec3 {
-    if rgb.is_finite() { rgb } else { Vec3::ZERO }
+    // False of NaN too.
+    let is_finite = rgb.abs().cmple(Vec3::MAX).all();
+    if is_finite { rgb } else { Vec3::ZERO }
+}
+
+/// Apart: written into its caller it would be computed always, and then be left out.
+#[inline(never)]
+fn without_cos(sum: Vec3, cos: f32) -> [f32; 3] {
+    (sum / cos).to_array()
 }

@@ -6,27 +6,15 @@ use glam::Vec3;
 
 impl Shading {
     /// What all such zones reflect: BRDF times cosine, RGB.
-    pub(super) fn hosted(&self, pair: &Pair) -> Vec3 {
-        if !self.has_hosted() {
-            return Vec3::ZERO;
-        }
-        self.hosted_zones(pair)
-    }
-
     #[inline(never)]
-    fn hosted_zones(&self, pair: &Pair) -> Vec3 {
+    pub(super) fn hosted(&self, pair: Pair) -> Vec3 {
         let mut sum = Vec3::ZERO;
-        self.each_zone(pair, |zone, pair, _| {
+        self.each_zone(&pair, |zone, pair, _| {
             if zone.lit > 0.0 {
                 let finish = self.zones.finish_of(zone.finish);
                 sum += zone.lit * finish.hosted_cos(zone.normal(), pair);
             }
         });
         sum
-    }
-
-    pub(super) fn has_hosted(&self) -> bool {
-        let mut finishes = self.zones.finishes().iter();
-        finishes.any(|finish| finish.hosted().is_some())
     }
 }

@@ -3,7 +3,6 @@
 use super::shading::Shading;
 use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
-use crate::lanes::One;
 use glam::{Vec2, Vec3};
 
 /// Samples that an estimate of reflectance takes.
@@ -106,7 +105,7 @@ impl Shading {
             return scratches.lobe(self.coverage());
         }
         let surface = self.zones.finish_of(0).alphas();
-        scratches.add(&Zone::flat(One, 1.0, 1.0), ACROSS_SURFACE, surface);
+        scratches.add(&Zone::flat(1.0, 1.0), ACROSS_SURFACE, surface);
         scratches.lobe(0.0)
     }
 

@@ -132,12 +132,14 @@ impl Shading {
                 self.reflected_groups(lanes, lights, with_pdf, &mut found, &mut densities);
             });
         }
-        if self.has_all_bounces() || self.has_hosted() {
+        if self.has_all_bounces() || self.zones.has_hosted() {
             for (rgb, light) in found.iter_mut().zip(lights) {
                 let pair = Pair::new(self.view, *light);
-                *rgb += self.hosted(&pair);
+                if self.zones.has_hosted() {
+                    *rgb += self.hosted(pair);
+                }
                 if self.has_all_bounces() {
-                    *rgb += self.indirect(&pair);
+                    *rgb += self.indirect(pair);
                 }
                 *rgb = finite(*rgb);
             }

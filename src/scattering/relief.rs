@@ -24,6 +24,9 @@ pub(crate) const MOST_FINISHES: usize = 8;
 /// A shadow at grazing light is followed to this many times the height it falls from (down to 2.9 degrees).
 pub(crate) const LONGEST_SHADOW: f32 = 20.0;
 
+/// Shares are kept as whole numbers up to this.
+const WHOLE: f32 = 65535.0;
+
 /// Slots, and room for the register that is read from the last one.
 const ROOM: usize = MOST_SLOTS + 8;
 
@@ -47,6 +50,8 @@ pub(crate) struct Zones {
     /// How much of all light each finish reflects; known once it is asked for.
     albedos: [Vec3; MOST_FINISHES],
     finish_count: u32,
+    /// How many of them are the host's own.
+    hosted_count: u32,
     used: u32,
     pub densities: Densities,
 }
@@ -81,6 +86,7 @@ impl Zones {
             finishes: [Finish::BLACK; MOST_FINISHES],
             albedos: [Vec3::ZERO; MOST_FINISHES],
             finish_count: 1,
+            hosted_count: 0,
             used: 0,
             densities: Densities::EMPTY,
         }
@@ -90,10 +96,11 @@ impl Zones {
     pub(crate) fn clear(&mut self) {
         self.used = 0;
         self.finish_count = 1;
+        self.hosted_count = self.finishes[0].hosted().is_some().into();
         self.densities.clear();
     }
 
-    /// The finish of the flat surface, which has number 0.
+    /// The finish of the flat surface, which has number 0; until [`Self::clear`] its kind does not count.
     pub(crate) fn set_surface(&mut self, finish: Finish) {
         self.finishes[0] = finish;
     }
@@ -106,6 +113,7 @@ impl Zones {
         if known.is_none() && number == held.len() {
             self.finishes[number] = *finish;
             self.finish_count += 1;
+            self.hosted_count += u32::from(finish.hosted().is_some());
         }
         u8::try_from(number).unwrap_or(0)
     }
@@ -227,11 +235,9 @@ impl Zones {
     /// The parts of facets that the viewer sees.
     #[inline(always)]
     pub(super) fn seen<L: Lanes>(&self, lanes: L, slot: usize) -> [L::F; 2] {
-        let from = &self.seen_from[slot..slot + L::WIDTH];
-        let to = &self.seen_to[slot..slot + L::WIDTH];
         [
-            lanes.made(|i| unpacked(from[i])),
-            lanes.made(|i| unpacked(to[i])),
+            lanes.load_whole(&self.seen_from[slot..]) / WHOLE,
+            lanes.load_whole(&self.seen_to[slot..]) / WHOLE,
         ]
     }
 
@@ -256,12 +262,17 @@ impl Zones {
         to.if_above(from, weight, none)
     }
 
-    /// What all zones reflect together, RGB, if this is what each finish's lobes add up to.
-    pub(crate) fn colour(&self, lobes: &[f32; MOST_FINISHES], pair: &Pair) -> Vec3 {
-        let finishes = &self.finishes[..self.finish_count as usize];
-        let colour = |(finish, lobe): (&Finish, &f32)| finish.shared(pair) * *lobe;
-        let lit = finishes.iter().zip(lobes).filter(|(_, lobe)| **lobe > 0.0);
-        lit.map(colour).sum()
+    /// What all zones reflect together, RGB, if this is what each finish's lobes add up to, for light and view of this cosine
+    /// to their half vector.
+    #[inline(always)]
+    pub(crate) fn colour(&self, lobes: &[f32; MOST_FINISHES], view_half: f32) -> Vec3 {
+        let mut sum = Vec3::ZERO;
+        for (finish, &lobe) in self.finishes().iter().zip(lobes) {
+            if lobe > 0.0 {
+                sum += Vec3::from(finish.colour(view_half)) * lobe;
+            }
+        }
+        sum
     }
 
     /// Finds out how much of all light each finish reflects: of what comes at 45 degrees.
@@ -340,6 +351,11 @@ impl Zones {
         (shadow, flock.share * (shadow[1] - shadow[0]))
     }
 
+    /// Whether zones have finishes that are the host's own.
+    pub(crate) fn has_hosted(&self) -> bool {
+        self.hosted_count > 0
+    }
+
     /// All finishes, by number; the first is the flat surface's.
     pub(crate) fn finishes(&self) -> &[Finish] {
         &self.finishes[..self.finish_count as usize]
@@ -410,12 +426,12 @@ fn beside(inner: [f32; 2], wider: [f32; 2]) -> [f32; 2] {
     reason = "the cast saturates"
 )]
 pub(super) fn packed(share: f32) -> u16 {
-    (share * 65535.0 + 0.5) as u16
+    (share * WHOLE + 0.5) as u16
 }
 
 #[inline(always)]
 pub(super) fn unpacked(share: u16) -> f32 {
-    f32::from(share) / 65535.0
+    f32::from(share) / WHOLE
 }
 
 impl Relief {

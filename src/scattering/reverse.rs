@@ -25,7 +25,7 @@ impl Shading {
         });
         let left = rest(seen.min(1.0));
         let turned = back.turned(ACROSS_SURFACE);
-        let flat = Zone::flat(One, left, left);
+        let flat = Zone::flat(left, left);
         density += self.density(One, &flat, &turned, &below, ACROSS_SURFACE);
         seen += left;
         let pdf = if seen > 0.0 { density / seen } else { 0.0 };

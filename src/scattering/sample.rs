@@ -1,5 +1,6 @@
 //! Lights chosen as often as they are reflected, and how often that is (section 4 of the model).
 
+use super::abreast::Reflected;
 use super::eval::{finite, rest};
 use super::flocks::Flock;
 use super::many::{MOST, Vectors};
@@ -9,7 +10,6 @@ use super::visibility::Parts;
 use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
 use crate::error::Result;
-use crate::lanes::in_lanes;
 use glam::{Vec2, Vec3};
 
 /// A light chosen for a view.
@@ -143,7 +143,7 @@ impl Shading {
         };
         let (mut brdf_cos, pdf) = self.first_bounce(&pair);
         if self.has_all_bounces() {
-            brdf_cos += self.indirect(&pair);
+            brdf_cos += self.indirect(pair);
         }
         let brdf_cos = finite(brdf_cos).to_array();
         Evaluated { brdf_cos, pdf }
@@ -152,8 +152,16 @@ impl Shading {
     /// BRDF times cosine of light that meets one zone, and the density with which it is chosen, whatever it meets.
     fn first_bounce(&self, pair: &Pair) -> (Vec3, f32) {
         let below = pair.below();
-        let sums = in_lanes!(lanes => self.sums(lanes, pair, Some(&below)));
-        let brdf_cos = self.zones.colour(&sums.lobes, pair) + self.hosted(pair);
+        let sums = if self.is_scratched() {
+            self.scratch_sums(*pair, Some(&below))
+        } else {
+            Reflected::NONE
+        };
+        let sums = self.with_surface(sums, pair, Some(&below));
+        let mut brdf_cos = self.zones.colour(&sums.lobes, pair.view_half);
+        if self.zones.has_hosted() {
+            brdf_cos += self.hosted(*pair);
+        }
         (brdf_cos, sums.pdf())
     }
 

@@ -8,7 +8,7 @@ use crate::formation::MOST_LAYERS;
 use crate::pattern::{
     Candidates, Crowd, Frame, Hit, Metric, Pattern, Reach, Region, SurfacePoint, cut, uncut_share,
 };
-use crate::single;
+use crate::{single, unit};
 use arrayvec::ArrayVec;
 use core::ops::ControlFlow;
 use glam::{DVec2, Vec3};
@@ -77,17 +77,33 @@ impl Shading {
     /// The result can always be evaluated, also after an error: a view that is no direction, or below the
     /// surface, reflects nothing; a point that is not usable (normal, uv or derivatives) is an unscratched one;
     /// a footprint of no usable size (0, infinite, NaN) is a point. Allocates nothing.
+    #[inline(always)]
     pub fn shade(&mut self, pattern: &Pattern, point: &SurfacePoint, view: [f32; 3]) -> Result<()> {
         self.begin(pattern.hosts.found(&pattern.surface), view)?;
-        let (scale, reach_mm) = (pattern.mm_per_scene_unit, self.reach_mm(pattern));
+        let reach_mm = self.reach_mm(pattern);
         let mut candidates = Candidates::new();
-        let glance = point.box_at_a_glance(scale, reach_mm);
+        let glance = point.box_at_a_glance(pattern.mm_per_scene_unit, reach_mm);
         let found = glance.map(|[low, high]| pattern.pieces_near(low, high, &mut candidates));
         if found == Some(true) && candidates.is_empty() {
             return Ok(());
         }
-        let frame = Frame::at(point)?;
-        let metric = Metric::at(point, &frame, scale)?;
+        // By value: most points end above, and a point is only written down to be looked at by its address.
+        self.look_closely(pattern, *point, reach_mm, found, &mut candidates)
+    }
+
+    /// Adds what lies within reach: of these candidates, if they were looked for (and `found` to be few enough).
+    #[inline(never)]
+    fn look_closely(
+        &mut self,
+        pattern: &Pattern,
+        point: SurfacePoint,
+        reach_mm: f64,
+        found: Option<bool>,
+        candidates: &mut Candidates,
+    ) -> Result<()> {
+        let scale = pattern.mm_per_scene_unit;
+        let frame = Frame::at(&point)?;
+        let metric = Metric::at(&point, &frame, scale)?;
         let (region, footprint) = metric.region(&point.footprint, scale);
         if self.view.z >= LEAST_COS {
             let reach = Reach {
@@ -95,8 +111,8 @@ impl Shading {
                 footprint: &region,
                 reach_mm,
             };
-            let complete = found.unwrap_or_else(|| pattern.candidates(&reach, &mut candidates));
-            self.fill(pattern, &reach, complete.then_some(&mut candidates));
+            let complete = found.unwrap_or_else(|| pattern.candidates(&reach, candidates));
+            self.fill(pattern, &reach, complete.then_some(candidates));
         }
         footprint
     }
@@ -117,14 +133,15 @@ impl Shading {
         &self.reliefs[..self.relief_count as usize]
     }
 
+    #[inline(always)]
     pub(super) fn begin(&mut self, surface: Finish, view: [f32; 3]) -> Result<()> {
-        self.clear();
         self.zones.set_surface(surface);
-        self.view = direction(view).unwrap_or(Vec3::ZERO);
-        if self.view == Vec3::ZERO {
-            all_finite("view", &view)?;
-            return Err(Error::number("view", 0.0, "a vector of any length above 0"));
-        }
+        self.clear();
+        let Some(unit) = direction(view) else {
+            self.view = Vec3::ZERO;
+            return Err(no_view(view));
+        };
+        self.view = unit;
         Ok(())
     }
 
@@ -337,10 +354,15 @@ impl Shading {
     }
 }
 
-/// Unit length at any scale; double precision holds where single would overflow, or flush to zero.
+/// Why it is no direction.
+#[cold]
+fn no_view(view: [f32; 3]) -> Error {
+    let none = Error::number("view", 0.0, "a vector of any length above 0");
+    all_finite("view", &view).err().unwrap_or(none)
+}
+
+/// Unit length at any scale.
+#[inline(always)]
 pub(super) fn direction(v: [f32; 3]) -> Option<Vec3> {
-    Vec3::from(v)
-        .as_dvec3()
-        .try_normalize()
-        .map(|v| v.as_vec3())
+    unit(v).map(|v| v.as_vec3())
 }

@@ -27,6 +27,12 @@ impl Across {
         x * self.z - z * self.x
     }
 
+    /// The same of vertices side by side.
+    #[inline(always)]
+    fn keys<L: Lanes>(self, lanes: L, xs: &[f32], zs: &[f32]) -> L::F {
+        lanes.load(xs) * self.z - lanes.load(zs) * self.x
+    }
+
     /// What of the flat surface at z = 0 lies in front of every vertex: (left of this, right of that).
     /// `horizon` is what [`sweep`] returned; `ends` are the cross-section's own ends.
     pub(crate) fn flat_ends(self, horizon: f32, ends: [f32; 2]) -> [f32; 2] {
@@ -54,17 +60,18 @@ const ROOM: usize = 120;
 
 /// The parts of facets that a direction leaves unblocked.
 pub(crate) struct Parts {
-    keys: [f32; ROOM],
-    from: [f32; ROOM],
-    to: [f32; ROOM],
+    /// Whether the direction comes from the right: then each part begins at its facet's left end, else it ends at the right
+    /// one.
+    leftwards: bool,
+    /// Its other end.
+    ends: [f32; ROOM],
 }
 
 impl Parts {
     pub(crate) const fn new() -> Self {
         Self {
-            keys: [0.0; ROOM],
-            from: [0.0; ROOM],
-            to: [0.0; ROOM],
+            leftwards: false,
+            ends: [0.0; ROOM],
         }
     }
 
@@ -79,57 +86,87 @@ impl Parts {
         facets: usize,
         w: Across,
     ) -> f32 {
-        for k in (0..=facets).step_by(L::WIDTH) {
-            let keys = lanes.load(&xs[k..]) * w.z - lanes.load(&zs[k..]) * w.x;
-            lanes.store(keys, &mut self.keys[k..]);
+        self.leftwards = w.x >= 0.0;
+        if self.leftwards {
+            self.sweep_from::<L, true>(lanes, xs, zs, facets, w)
+        } else {
+            self.sweep_from::<L, false>(lanes, xs, zs, facets, w)
         }
-        let leftwards = w.x >= 0.0;
-        let horizon = self.find_horizons(facets, leftwards);
-        let (left, right) = (lanes.all(0.0), lanes.all(1.0));
-        let hidden = if leftwards { left } else { right };
-        for k in (0..facets).step_by(L::WIDTH) {
-            let key = lanes.load(&self.keys[k..]);
-            let rise = lanes.load(&self.keys[k + 1..]) - key;
-            let share = (lanes.load(&self.from[k..]) - key) / rise;
-            let end = rise.if_above(left, share.max(left).min(right), hidden);
-            let (from, to) = if leftwards { (left, end) } else { (end, right) };
-            lanes.store(from, &mut self.from[k..]);
-            lanes.store(to, &mut self.to[k..]);
-        }
-        horizon
     }
 
-    /// Leaves in `from` the horizon that each facet is seen against: that of all vertices between it and the side which the
-    /// direction comes from.
+    /// From the right end or the left one. Each facet is seen against the horizon of all vertices between it and the side
+    /// which the direction comes from, its own end there among them.
     #[inline(always)]
-    fn find_horizons(&mut self, facets: usize, leftwards: bool) -> f32 {
-        let (keys, horizons) = (&self.keys[..=facets], &mut self.from[..facets]);
-        if leftwards {
-            let mut horizon = f32::INFINITY;
-            for (at, key) in horizons.iter_mut().zip(&keys[1..]).rev() {
-                horizon = Number::min(horizon, *key);
-                *at = horizon;
-            }
-            Number::min(horizon, keys[0])
-        } else {
-            let mut horizon = f32::NEG_INFINITY;
-            for (at, key) in horizons.iter_mut().zip(keys) {
-                horizon = Number::max(horizon, *key);
-                *at = horizon;
-            }
-            Number::max(horizon, keys[facets])
+    fn sweep_from<L: Lanes, const LEFTWARDS: bool>(
+        &mut self,
+        lanes: L,
+        xs: &[f32],
+        zs: &[f32],
+        facets: usize,
+        w: Across,
+    ) -> f32 {
+        let (left, right) = (lanes.all(0.0), lanes.all(1.0));
+        let (open, hidden, far) = match LEFTWARDS {
+            true => (f32::INFINITY, left, 0),
+            false => (f32::NEG_INFINITY, right, facets),
+        };
+        let mut horizon = open;
+        let groups = facets.div_ceil(L::WIDTH);
+        for group in 0..groups {
+            let group = if LEFTWARDS { groups - 1 - group } else { group };
+            let k = group * L::WIDTH;
+            let key = w.keys(lanes, &xs[k..], &zs[k..]);
+            let next = w.keys(lanes, &xs[k + 1..], &zs[k + 1..]);
+            let near = if LEFTWARDS { next } else { key };
+            let near = first_or(lanes, facets - k, near, open);
+            let horizons = match LEFTWARDS {
+                true => lanes.least_from(near).min(lanes.all(horizon)),
+                false => lanes.most_up_to(near).max(lanes.all(horizon)),
+            };
+            horizon = horizons.lane(if LEFTWARDS { 0 } else { L::WIDTH - 1 });
+            let rise = next - key;
+            let share = (horizons - key) / rise;
+            let end = rise.if_above(left, share.max(left).min(right), hidden);
+            lanes.store(end, &mut self.ends[k..]);
+        }
+        let last = w.key(xs[far], zs[far]);
+        match LEFTWARDS {
+            true => Number::min(horizon, last),
+            false => Number::max(horizon, last),
         }
     }
 
     /// From where to where facets are unblocked, from number `k` on.
     #[inline(always)]
     pub(crate) fn load<L: Lanes>(&self, lanes: L, k: usize) -> [L::F; 2] {
-        [lanes.load(&self.from[k..]), lanes.load(&self.to[k..])]
+        let end = lanes.load(&self.ends[k..]);
+        if self.leftwards {
+            [lanes.all(0.0), end]
+        } else {
+            [end, lanes.all(1.0)]
+        }
     }
 
     pub(crate) fn of(&self, facet: usize) -> Part {
-        [self.from[facet], self.to[facet]]
+        let end = self.ends[facet];
+        if self.leftwards {
+            [0.0, end]
+        } else {
+            [end, 1.0]
+        }
     }
+}
+
+/// The first `count` numbers, and `other` in place of those after them.
+#[inline(always)]
+pub(super) fn first_or<L: Lanes>(lanes: L, count: usize, numbers: L::F, other: f32) -> L::F {
+    if count >= L::WIDTH {
+        return numbers;
+    }
+    let place = lanes.made(|i| i as f32);
+    lanes
+        .all(count as f32)
+        .if_above(place, numbers, lanes.all(other))
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use super::flocks::Flock;
 use super::relief::{Relief, Zones, packed, unpacked};
-use super::visibility::{Across, Part, Parts};
-use crate::brdf::Pair;
+use super::visibility::{Across, Part, Parts, first_or};
+use crate::brdf::{Local, Pair};
 use crate::lanes::{Lanes, Number, One};
 use glam::Vec3;
 
@@ -23,22 +23,27 @@ pub(crate) struct Zone<F = f32> {
 }
 
 impl Zone {
+    /// The flat surface, seen and lit in these shares of the pixel.
+    pub(crate) fn flat(seen: f32, lit: f32) -> Self {
+        Self {
+            facet: None,
+            normal: [0.0, 1.0],
+            finish: 0,
+            seen,
+            lit,
+        }
+    }
+
     pub(crate) fn normal(&self) -> Vec3 {
         Vec3::new(self.normal[0], 0.0, self.normal[1])
     }
 }
 
 impl<F: Number> Zone<F> {
-    /// The flat surface, seen and lit in these shares of the pixel.
-    pub(crate) fn flat<L: Lanes<F = F>>(lanes: L, seen: f32, lit: f32) -> Self {
-        let first = |share: f32| lanes.made(|i| if i == 0 { share } else { 0.0 });
-        Self {
-            facet: None,
-            normal: [lanes.all(0.0), lanes.all(1.0)],
-            finish: 0,
-            seen: first(seen),
-            lit: first(lit),
-        }
+    /// A pair in the frame of its scratch as it sees it.
+    #[inline(always)]
+    pub(crate) fn sees(&self, pair: &Pair) -> Local<F> {
+        pair.tilted(self.normal[0], self.normal[1])
     }
 }
 
@@ -95,7 +100,10 @@ impl Zones {
         visit: &mut impl FnMut(&Zone<L::F>),
     ) {
         let numbers = &self.finish[slot..slot + L::WIDTH.min(left)];
-        let alike = numbers.iter().all(|number| *number == numbers[0]);
+        let same = |i: usize, number: u8| i >= left || number == numbers[0];
+        let places = self.finish[slot..slot + L::WIDTH].iter().enumerate();
+        // Without a way out: eight are compared at once.
+        let alike = places.fold(true, |alike, (i, &number)| alike & same(i, number));
         let x = lanes.load(&self.normal_x[slot..]);
         let normal = [x, (-(x * x) + 1.0).max(lanes.all(0.0)).sqrt()];
         let kinds = if alike { 1 } else { numbers.len() };
@@ -103,19 +111,22 @@ impl Zones {
             if numbers[..i].contains(&finish) {
                 continue;
             }
-            let own = |shares: L::F| {
-                if alike {
-                    return shares;
-                }
-                let other = |i: usize| numbers.get(i).is_none_or(|number| *number != finish);
-                shares.each(|i, share| if other(i) { 0.0 } else { share })
-            };
+            let (none, mut own) = (lanes.all(0.0), lanes.all(1.0));
+            if !alike {
+                own = lanes.made(|i| {
+                    if numbers.get(i) == Some(&finish) {
+                        1.0
+                    } else {
+                        0.0
+                    }
+                });
+            }
             visit(&Zone {
                 facet: Some(facet),
                 normal,
                 finish,
-                seen: own(seen),
-                lit: own(lit),
+                seen: own.if_above(none, seen, none),
+                lit: own.if_above(none, lit, none),
             });
         }
     }
@@ -187,11 +198,5 @@ impl Zones {
 /// The first `count` numbers, and 0 in place of the others.
 #[inline(always)]
 pub(super) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
-    if count >= L::WIDTH {
-        return numbers;
-    }
-    let place = lanes.made(|i| i as f32);
-    lanes
-        .all(count as f32)
-        .if_above(place, numbers, lanes.all(0.0))
+    first_or(lanes, count, numbers, 0.0)
 }

@@ -92,7 +92,16 @@ static void null_arguments(void) {
     EXPECT_REFUSED(striae_eval(&shading, above, 0, NULL), "f", "NULL");
     EXPECT_REFUSED(striae_frame(NULL, &frame), "point", "NULL");
     EXPECT_REFUSED(striae_frame(&point, NULL), "frame", "NULL");
+    EXPECT_REFUSED(striae_shade_world(NULL, &point, above, &frame, &shading), "pattern", "NULL");
+    EXPECT_REFUSED(striae_shade_world(pattern, NULL, above, &frame, &shading), "point", "NULL");
+    EXPECT_REFUSED(striae_shade_world(pattern, &point, NULL, &frame, &shading), "view", "NULL");
+    EXPECT_REFUSED(striae_shade_world(pattern, &point, above, NULL, &shading), "frame", "NULL");
+    EXPECT_REFUSED(striae_shade_world(pattern, &point, above, &frame, NULL), "shading", "NULL");
     EXPECT_OK(striae_frame(&point, &frame));
+    EXPECT_REFUSED(striae_eval_world(NULL, &frame, above, 0, out), "shading", "NULL");
+    EXPECT_REFUSED(striae_eval_world(&shading, NULL, above, 0, out), "frame", "NULL");
+    EXPECT_REFUSED(striae_eval_world(&shading, &frame, NULL, 0, out), "light", "NULL");
+    EXPECT_REFUSED(striae_eval_world(&shading, &frame, above, 0, NULL), "f", "NULL");
     EXPECT_REFUSED(striae_frame_to_local(NULL, above, out), "frame", "NULL");
     EXPECT_REFUSED(striae_frame_to_local(&frame, NULL, out), "world", "NULL");
     EXPECT_REFUSED(striae_frame_to_local(&frame, above, NULL), "local", "NULL");

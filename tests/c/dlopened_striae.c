@@ -44,12 +44,19 @@ FORWARD(StriaeStatus, striae_frame_to_local, (const StriaeFrame *frame, const fl
 FORWARD(StriaeStatus, striae_shade,
         (const StriaePattern *pattern, const StriaePoint *point, const float view[3], StriaeShading *shading),
         (pattern, point, view, shading))
+FORWARD(StriaeStatus, striae_shade_world,
+        (const StriaePattern *pattern, const StriaePoint *point, const float view[3], StriaeFrame *frame,
+         StriaeShading *shading),
+        (pattern, point, view, frame, shading))
 FORWARD(StriaeStatus, striae_set_bounces, (StriaeShading * shading, uint32_t bounces), (shading, bounces))
 FORWARD(StriaeStatus, striae_zones,
         (const StriaeShading *shading, const float light[3], StriaeZone *zones, size_t capacity, size_t *count),
         (shading, light, zones, capacity, count))
 FORWARD(StriaeStatus, striae_eval, (const StriaeShading *shading, const float light[3], uint32_t flags, float f[3]),
         (shading, light, flags, f))
+FORWARD(StriaeStatus, striae_eval_world,
+        (const StriaeShading *shading, const StriaeFrame *frame, const float light[3], uint32_t flags, float f[3]),
+        (shading, frame, light, flags, f))
 FORWARD(StriaeStatus, striae_frame_to_world, (const StriaeFrame *frame, const float local[3], float world[3]),
         (frame, local, world))
 FORWARD(StriaeStatus, striae_pattern_query,

@@ -96,6 +96,7 @@ static size_t ask(const StriaePoint *point, StriaeShading *shading) {
     for (uint32_t bounces = STRIAE_BOUNCES_ONE; bounces <= STRIAE_BOUNCES_ALL; bounces++) {
         answers += striae_set_bounces(shading, bounces) == STRIAE_STATUS_OK;
         answers += striae_eval(shading, aside, STRIAE_EVAL_BRDF_ONLY, f) == STRIAE_STATUS_OK && f[0] > 0.0f;
+        answers += striae_eval_world(shading, &frame, aside, 0, f) == STRIAE_STATUS_OK;
         answers += striae_sample(shading, u, &sample) == STRIAE_STATUS_OK;
         answers += striae_sample_world(shading, &frame, u, &in_world) == STRIAE_STATUS_OK;
         answers += striae_eval_pdf(shading, aside, &both) == STRIAE_STATUS_OK && both.pdf > 0.0f;
@@ -112,7 +113,7 @@ static size_t ask(const StriaePoint *point, StriaeShading *shading) {
     return answers + refusals(shading);
 }
 
-enum { ANSWERS = 22 };
+enum { ANSWERS = 24 };
 
 /* One scratch of the library's own base BRDFs, and one of the host's. */
 static StriaePattern *asked[2];

@@ -72,6 +72,32 @@ static void triple(void) {
     EXPECT(chosen > SAMPLES * 9 / 10 && scratched > SAMPLES / 10 && scratched < chosen);
 }
 
+static void in_world(void) {
+    protects("shaded and evaluated in the world's frame a point is what it is in its own, and one without a normal is black");
+    StriaePoint point = upright();
+    const StriaeShading local = shaded(&point, aside);
+    StriaeShading shading;
+    StriaeFrame frame, same;
+    float view[3], f[3], f_world[3];
+    EXPECT_OK(striae_frame(&point, &frame));
+    EXPECT_OK(striae_frame_to_world(&frame, aside, view));
+    EXPECT_OK(striae_shade_world(pattern, &point, view, &same, &shading));
+    EXPECT(memcmp(&frame, &same, sizeof frame) == 0);
+    EXPECT(near((double)shading.coverage, (double)local.coverage, 1e-5) && shading.coverage > 0.1f);
+    for (int i = 0; i < SAMPLES; i++) {
+        float light[3], light_world[3];
+        numbers(i, light);
+        EXPECT_OK(striae_frame_to_world(&frame, light, light_world));
+        EXPECT_OK(striae_eval(&local, light, 0, f));
+        EXPECT_OK(striae_eval_world(&shading, &same, light_world, 0, f_world));
+        for (int c = 0; c < 3; c++) EXPECT(near((double)f_world[c], (double)f[c], 1e-4));
+    }
+    memset(point.normal, 0, sizeof point.normal);
+    EXPECT_REFUSED(striae_shade_world(pattern, &point, view, &same, &shading), "normal", "0");
+    EXPECT_OK(striae_eval_world(&shading, &same, view, 0, f_world));
+    EXPECT(f_world[0] == 0.0f && f_world[1] == 0.0f && f_world[2] == 0.0f && shading.coverage == 0.0f);
+}
+
 static void reverse(void) {
     protects("the reverse density is what the point prepared from the light's side says");
     const StriaePoint point = plate_point(0.15, 0.5, 0.2);
@@ -232,6 +258,7 @@ int main(void) {
     plate_init(&plate);
     pattern = plate_pattern(&plate);
     triple();
+    in_world();
     reverse();
     bounces();
     zones();
