@@ -1,6 +1,10 @@
 //! A base BRDF made ready for evaluation: plain numbers, valid whatever their bits, so that a shading point
 //! may live in a caller's uninitialised memory.
 
+mod abreast;
+
+pub(crate) use abreast::Facets;
+
 use super::{
     Brdf, Fresnel, Hosted, Local, Pair, beckmann, ggx, hosted, lambert, oren_nayar, phong, threads,
 };
@@ -277,59 +281,6 @@ impl Finish {
         if_above(pair.light.z, lobe)
     }
 
-    /// What facets with these normals reflect together, so much of each being lit; the pair in the frames of their scratches.
-    #[inline(always)]
-    pub(crate) fn lit_lobes<L: Lanes>(
-        &self,
-        lanes: L,
-        pair: &Local<L::F>,
-        facets: Facets<'_, L::F>,
-    ) -> L::F {
-        match self.lobe {
-            GGX | ANISOTROPIC_GGX => {
-                let tilting = ggx::Tilting::new(self.alphas(), pair);
-                let sum = facets.sum(
-                    lanes,
-                    #[inline(always)]
-                    |normal, _| tilting.lobe_cos(normal),
-                );
-                sum * tilting.scale
-            }
-            HOSTED_DIFFUSE | HOSTED_GLOSSY => lanes.all(0.0),
-            _ => facets.sum(
-                lanes,
-                #[inline(always)]
-                |normal, share| if_any(share, self.lobes_cos(lanes, &pair.tilted(normal))),
-            ),
-        }
-    }
-
-    /// With what density facets' samples go to the light, as [`Self::lit_lobes`].
-    #[inline(always)]
-    pub(crate) fn seen_pdfs<L: Lanes>(
-        &self,
-        lanes: L,
-        pair: &Local<L::F>,
-        facets: Facets<'_, L::F>,
-    ) -> L::F {
-        match self.lobe {
-            GGX | ANISOTROPIC_GGX => {
-                let tilting = ggx::Tilting::new(self.alphas(), pair);
-                let sum = facets.sum(
-                    lanes,
-                    #[inline(always)]
-                    |normal, _| tilting.pdf(normal),
-                );
-                sum * tilting.scale
-            }
-            _ => facets.sum(
-                lanes,
-                #[inline(always)]
-                |normal, share| if_any(share, self.pdfs(lanes, &pair.tilted(normal))),
-            ),
-        }
-    }
-
     /// Lobes that are used less: kept apart, so that the others stay short.
     #[inline(always)]
     fn further_lobes_cos<L: Lanes>(&self, lanes: L, pair: &Local<L::F>) -> L::F {
@@ -485,35 +436,6 @@ impl Finish {
         }
         (alphas.x * alphas.y).sqrt()
     }
-}
-
-/// Facets of several scratches of one cross-section.
-#[derive(Clone, Copy)]
-pub(crate) struct Facets<'a, F> {
-    /// Across and upward components.
-    pub normals: [&'a [f32]; 2],
-    /// How much of each counts, scratch beside scratch.
-    pub shares: &'a [F],
-}
-
-impl<F: Number> Facets<'_, F> {
-    #[inline(always)]
-    fn sum<L: Lanes<F = F>>(&self, lanes: L, of: impl Fn([f32; 2], F) -> F) -> F {
-        let [xs, zs] = self.normals;
-        let mut sum = lanes.all(0.0);
-        for ((&x, &z), &share) in xs.iter().zip(zs).zip(self.shares) {
-            if share.any() {
-                sum = share.times_plus(of([x, z], share), sum);
-            }
-        }
-        sum
-    }
-}
-
-/// `value` where it counts: elsewhere it may be anything.
-#[inline(always)]
-fn if_any<F: Number>(share: F, value: F) -> F {
-    share.if_above(share.like(0.0), value, share.like(0.0))
 }
 
 /// Points spread evenly over the unit square.

@@ -1,0 +1,89 @@
+//! What facets of one finish reflect together, several scratches side by side.
+
+use super::{ANISOTROPIC_GGX, Finish, GGX, HOSTED_DIFFUSE, HOSTED_GLOSSY};
+use crate::brdf::{Local, ggx};
+use crate::lanes::{Lanes, Number};
+
+/// Facets of several scratches of one cross-section.
+#[derive(Clone, Copy)]
+pub(crate) struct Facets<'a, F> {
+    /// Across and upward components.
+    pub normals: [&'a [f32]; 2],
+    /// How much of each counts, scratch beside scratch.
+    pub shares: &'a [F],
+}
+
+impl<F: Number> Facets<'_, F> {
+    #[inline(always)]
+    fn sum<L: Lanes<F = F>>(&self, lanes: L, of: impl Fn([f32; 2], F) -> F) -> F {
+        let [xs, zs] = self.normals;
+        let mut sum = lanes.all(0.0);
+        for ((&x, &z), &share) in xs.iter().zip(zs).zip(self.shares) {
+            if share.any() {
+                sum = share.times_plus(of([x, z], share), sum);
+            }
+        }
+        sum
+    }
+}
+
+impl Finish {
+    /// What facets with these normals reflect together, so much of each being lit; the pair in the frames of their scratches.
+    #[inline(always)]
+    pub(crate) fn lit_lobes<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Local<L::F>,
+        facets: Facets<'_, L::F>,
+    ) -> L::F {
+        match self.lobe {
+            GGX | ANISOTROPIC_GGX => {
+                let tilting = ggx::Tilting::new(self.alphas(), pair);
+                let sum = facets.sum(
+                    lanes,
+                    #[inline(always)]
+                    |normal, _| tilting.lobe_cos(normal),
+                );
+                sum * tilting.scale
+            }
+            HOSTED_DIFFUSE | HOSTED_GLOSSY => lanes.all(0.0),
+            _ => facets.sum(
+                lanes,
+                #[inline(always)]
+                |normal, share| if_any(share, self.lobes_cos(lanes, &pair.tilted(normal))),
+            ),
+        }
+    }
+
+    /// With what density facets' samples go to the light, as [`Self::lit_lobes`].
+    #[inline(always)]
+    pub(crate) fn seen_pdfs<L: Lanes>(
+        &self,
+        lanes: L,
+        pair: &Local<L::F>,
+        facets: Facets<'_, L::F>,
+    ) -> L::F {
+        match self.lobe {
+            GGX | ANISOTROPIC_GGX => {
+                let tilting = ggx::Tilting::new(self.alphas(), pair);
+                let sum = facets.sum(
+                    lanes,
+                    #[inline(always)]
+                    |normal, _| tilting.pdf(normal),
+                );
+                sum * tilting.scale
+            }
+            _ => facets.sum(
+                lanes,
+                #[inline(always)]
+                |normal, share| if_any(share, self.pdfs(lanes, &pair.tilted(normal))),
+            ),
+        }
+    }
+}
+
+/// `value` where it counts: elsewhere it may be anything.
+#[inline(always)]
+fn if_any<F: Number>(share: F, value: F) -> F {
+    share.if_above(share.like(0.0), value, share.like(0.0))
+}
