@@ -1,18 +1,19 @@
 //! From pieces near a footprint to runs: stretches of scratch with one direction and one cross-section.
 
+mod nearest;
+
 use super::Pattern;
 use super::caps::CapAt;
-use super::closest::{length_share, nearest, tangent};
+use super::closest::{length_share, tangent};
 use super::course::Course;
 use super::hit::Hit;
 use super::pieces::{Curves, bounds, halves};
-use super::profile::Profile;
 use super::query::{Candidates, Reach, hull};
-use super::region::Region;
 use super::tracks::TrackRef;
 use crate::formation::End;
 use core::ops::ControlFlow;
 use glam::DVec2;
+use nearest::Near;
 
 /// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
 /// this share of its half width or height.
@@ -27,10 +28,6 @@ const MOST_SLACK: f64 = 4.0;
 /// than this share of the widest.
 const LEAST_WIDENING: f64 = 0.3;
 const LEAST_WIDTH: f64 = 0.02;
-
-/// Where a scratch turns out to be this much narrower than thought, what is covered of it is looked at again.
-const LEAST_NARROWING: f64 = 0.9;
-const MOST_LOOKS: usize = 3;
 
 /// A piece is cut into at most 2 to the power of this many runs.
 const MOST_HALVINGS: u32 = 16;
@@ -361,68 +358,6 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         self.tell(&hit);
     }
 
-    /// The place in the middle of what a region holds of a run, and the mean cross-section there. How much of the
-    /// scratch is covered depends on how wide it is there, and that on what is covered.
-    fn look(
-        &self,
-        run: &Run<'p>,
-        region: &Region,
-        mut near: Near,
-        mut profile: Profile<'p>,
-        is_even: bool,
-    ) -> (Near, Profile<'p>) {
-        let Run { first, last } = run;
-        let mut half_width_mm = match is_even {
-            true => profile.half_width_mm(),
-            false => first
-                .half_width_mm(first.at[0])
-                .max(first.half_width_mm(last.at)),
-        };
-        for _ in 0..MOST_LOOKS {
-            let stretch;
-            (near, stretch) = self.stretch(run, region, &near, half_width_mm);
-            if is_even {
-                break;
-            }
-            profile = Profile::mean(&first.track, &first.course, stretch);
-            let narrower = profile.half_width_mm();
-            if narrower > LEAST_NARROWING * half_width_mm {
-                break;
-            }
-            half_width_mm = narrower;
-        }
-        (near, profile)
-    }
-
-    /// What a region holds of a run so wide: the place in its middle, and from where to where it is, as shares of arc
-    /// length.
-    fn stretch(
-        &self,
-        run: &Run<'p>,
-        region: &Region,
-        near: &Near,
-        half_width_mm: f64,
-    ) -> (Near, [f64; 2]) {
-        let Run { first, last } = run;
-        let across = DVec2::new(near.travel.y, -near.travel.x);
-        let side = across * half_width_mm;
-        let covered = region.within(&[[near.origin - side, across], [near.origin + side, -across]]);
-        let Some(covered) = covered else {
-            return (*near, [near.at; 2]);
-        };
-        let near = self.nearest_on(run, covered.centroid());
-        let Near {
-            at, origin, travel, ..
-        } = near;
-        let per_mm = (last.at - first.at[0]) / (last.end - first.control[0]).length();
-        let corners = covered.corners().iter();
-        let reaches = corners.map(|corner| at + (*corner - origin).dot(travel) * per_mm);
-        let stretch = reaches.fold([at; 2], |[from, to], reach| {
-            [from.min(reach.max(first.at[0])), to.max(reach.min(last.at))]
-        });
-        (near, stretch)
-    }
-
     /// The sectors of the cap at an end of a part, if that is a hard end of its scratch within reach.
     fn emit_cap(&mut self, part: &Part<'p>, end: End) {
         if !part.is_end[usize::from(end == End::Stop)] {
@@ -466,35 +401,6 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             self.tell(&hit);
         }
     }
-
-    fn nearest_on(&self, run: &Run<'p>, target: DVec2) -> Near {
-        let on = |control: &[DVec2; 4], [from, to]: [f64; 2]| {
-            let (t, origin, travel) = nearest(control, target);
-            Near {
-                distance: origin.distance_squared(target),
-                at: from + (to - from) * length_share(control, t),
-                origin,
-                travel,
-            }
-        };
-        let mut best = on(&run.first.control, run.first.at);
-        for number in run.first.number + 1..=run.last.number {
-            let other = on(&self.control(number), self.curves.at(number));
-            if other.distance < best.distance {
-                best = other;
-            }
-        }
-        best
-    }
-}
-
-/// The place of a run that is nearest to some point.
-#[derive(Clone, Copy)]
-struct Near {
-    distance: f64,
-    at: f64,
-    origin: DVec2,
-    travel: DVec2,
 }
 
 /// Where two pieces meet at an angle, both end at the line that halves it. A path that turns back on itself has

@@ -1,0 +1,106 @@
+//! Which place of a run stands for what a footprint holds of it.
+
+use super::{Run, Walk};
+use crate::pattern::closest::{length_share, nearest};
+use crate::pattern::hit::Hit;
+use crate::pattern::profile::Profile;
+use crate::pattern::region::Region;
+use core::ops::ControlFlow;
+use glam::DVec2;
+
+/// Where a scratch turns out to be this much narrower than thought, what is covered of it is looked at again.
+const LEAST_NARROWING: f64 = 0.9;
+const MOST_LOOKS: usize = 3;
+
+/// The place of a run that is nearest to some point.
+#[derive(Clone, Copy)]
+pub(super) struct Near {
+    distance: f64,
+    pub at: f64,
+    pub origin: DVec2,
+    pub travel: DVec2,
+}
+
+impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
+    /// The place in the middle of what a region holds of a run, and the mean cross-section there. How much of the
+    /// scratch is covered depends on how wide it is there, and that on what is covered.
+    pub(super) fn look(
+        &self,
+        run: &Run<'p>,
+        region: &Region,
+        mut near: Near,
+        mut profile: Profile<'p>,
+        is_even: bool,
+    ) -> (Near, Profile<'p>) {
+        let Run { first, last } = run;
+        let mut half_width_mm = match is_even {
+            true => profile.half_width_mm(),
+            false => first
+                .half_width_mm(first.at[0])
+                .max(first.half_width_mm(last.at)),
+        };
+        for _ in 0..MOST_LOOKS {
+            let stretch;
+            (near, stretch) = self.stretch(run, region, &near, half_width_mm);
+            if is_even {
+                break;
+            }
+            profile = Profile::mean(&first.track, &first.course, stretch);
+            let narrower = profile.half_width_mm();
+            if narrower > LEAST_NARROWING * half_width_mm {
+                break;
+            }
+            half_width_mm = narrower;
+        }
+        (near, profile)
+    }
+
+    /// What a region holds of a run so wide: the place in its middle, and from where to where it is, as shares of arc
+    /// length.
+    fn stretch(
+        &self,
+        run: &Run<'p>,
+        region: &Region,
+        near: &Near,
+        half_width_mm: f64,
+    ) -> (Near, [f64; 2]) {
+        let Run { first, last } = run;
+        let across = DVec2::new(near.travel.y, -near.travel.x);
+        let side = across * half_width_mm;
+        let covered = region.within(&[[near.origin - side, across], [near.origin + side, -across]]);
+        let Some(covered) = covered else {
+            return (*near, [near.at; 2]);
+        };
+        let near = self.nearest_on(run, covered.centroid());
+        let Near {
+            at, origin, travel, ..
+        } = near;
+        let per_mm = (last.at - first.at[0]) / (last.end - first.control[0]).length();
+        let corners = covered.corners().iter();
+        let reaches = corners.map(|corner| at + (*corner - origin).dot(travel) * per_mm);
+        let stretch = reaches.fold([at; 2], |[from, to], reach| {
+            [from.min(reach.max(first.at[0])), to.max(reach.min(last.at))]
+        });
+        (near, stretch)
+    }
+
+    pub(super) fn nearest_on(&self, run: &Run<'p>, target: DVec2) -> Near {
+        let on = |control: &[DVec2; 4], [from, to]: [f64; 2]| {
+            let (t, origin, travel) = nearest(control, target);
+            Near {
+                distance: origin.distance_squared(target),
+                at: from + (to - from) * length_share(control, t),
+                origin,
+                travel,
+            }
+        };
+        let mut best = on(&run.first.control, run.first.at);
+        for number in run.first.number + 1..=run.last.number {
+            let other = on(&self.control(number), self.curves.at(number));
+            if other.distance < best.distance {
+                best = other;
+            }
+        }
+        best
+    }
+}
