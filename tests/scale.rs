@@ -2,6 +2,7 @@
 
 mod support;
 
+use glam::DVec2;
 use striae::pattern::Key;
 use support::dark_sheet;
 use support::lines::{Line, STEADY, pattern, worst_of_parts};
@@ -76,4 +77,20 @@ fn ending() {
         Key::force(1.0, 0.0),
     ];
     assert_adds_up("soft", 0.01, &[Line::Straight(&line)], &soft, &near);
+}
+
+/// A dozen scratches that cross within a few pixels, some of which end there: within 1 %, though later ones are taken from
+/// each by area alone where it is thin.
+#[test]
+fn a_dozen() {
+    let line = |i: u32| {
+        let turn = DVec2::from_angle(2.4 * f64::from(i));
+        let middle = 1.5 * f64::from(i % 5) * turn.perp();
+        let reach = if i.is_multiple_of(3) { 0.5 } else { 60.0 };
+        [middle - 50.0 * turn, middle + reach * turn].map(|end| end.to_array())
+    };
+    let lines: Vec<_> = (0..12).map(line).collect();
+    let lines: Vec<_> = lines.iter().map(|line| Line::Straight(line)).collect();
+    let near = [[0.0, 0.0], [1.0, 0.5], [-0.7, 2.0]];
+    assert_adds_up("a dozen", 0.01, &lines, STEADY, &near);
 }

@@ -6,7 +6,7 @@
 
 use super::profile::Profile;
 use super::store::Store;
-use super::tracks::Extent;
+use super::tracks::{Extent, TrackRef};
 use crate::formation::{End, EndCap, SECTORS};
 use crate::single;
 use bytemuck::{Pod, Zeroable};
@@ -249,6 +249,14 @@ impl<'p> CapRef<'p> {
     fn points_from(&self, station: Station, sector: usize) -> &'p [Vec2] {
         let first = station.first_vertex as usize + sector * self.per_sector;
         self.vertices.get(first..).unwrap_or(&[])
+    }
+}
+
+impl CapAt<'_> {
+    /// How much of it stands by itself: nothing of one on a scratch no wider than `thin_mm`, all from twice that on.
+    pub(crate) fn alone(&self, track: &TrackRef<'_>, thin_mm: f64) -> f64 {
+        let width_mm = track.width(self.place);
+        (width_mm / thin_mm - 1.0).clamp(0.0, 1.0)
     }
 }
 

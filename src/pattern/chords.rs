@@ -123,15 +123,16 @@ impl Pattern {
             }
             first_t = last_t;
         }
-        self.for_each_cap_chord(number, visible, within, &mut visit);
+        self.for_each_cap_chord(number, within, f64::INFINITY, &mut visit);
     }
 
-    /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis.
-    fn for_each_cap_chord(
+    /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis, as far as they do
+    /// not stand by themselves beside what is so thin.
+    pub(super) fn for_each_cap_chord(
         &self,
         number: usize,
-        visible: Visible,
         within: Option<&Reach<'_>>,
+        thin_mm: f64,
         visit: &mut impl FnMut(&Chord<'_>),
     ) {
         let curves = self.curves();
@@ -147,12 +148,17 @@ impl Pattern {
             let Some((track, _)) = self.strand(curves.pieces[number].scratch) else {
                 continue;
             };
+            let rest = 1.0 - cap.alone(&track, thin_mm);
+            if rest == 0.0 {
+                continue;
+            }
+            let left = rest * Visible::of(self.visible(number)).quarters[quarter];
             let scaled = control.map(|p| p * self.units_per_uv);
             let classes = track.classes(cap.place);
             let travel = tangent(&scaled, cap.at);
             for sector in cap.sectors() {
                 let axis = sector.wedge.axis(travel);
-                let area_mm2 = sector.area_mm2() * visible.quarters[quarter];
+                let area_mm2 = sector.area_mm2() * left;
                 let mut areas = ClassAreas::default();
                 add_shares(&mut areas, &classes, single(area_mm2));
                 visit(&Chord {

@@ -1,8 +1,10 @@
 //! Where scratches cross, the later one cuts the earlier: its groove and peaks replace what was there.
 
 use super::hit::Hit;
+use super::laid::Laid;
 use super::region::Region;
 use arrayvec::ArrayVec;
+use glam::DVec2;
 
 /// Parts of less than this share of the pixel are none.
 const LEAST_PART: f64 = 1e-9;
@@ -61,6 +63,73 @@ fn cut_by<const MOST_PARTS: usize>(
         }
     }
     true
+}
+
+/// The share of each run that later ones leave of it, on the whole, if it is no wider than `thin_mm`; nothing of a single
+/// one. `area` is the footprint's.
+pub(crate) fn left_of_thin<const MOST: usize>(
+    hits: &[Hit<'_>],
+    thin_mm: f64,
+    area: f64,
+) -> ArrayVec<Option<f64>, MOST> {
+    let mut shares: ArrayVec<Option<f64>, MOST> = ArrayVec::new();
+    if hits.len() < 2 {
+        return shares;
+    }
+    shares.extend(hits.iter().map(|_| None));
+    let mut laid = Laid::new();
+    // Of what lies beside the footprint, and of the footprint: what runs that shade it from there are left of it.
+    let mut bare = 1.0;
+    // A run and the one that it goes on in do not cover each other.
+    let mut next: Option<(usize, Even)> = None;
+    for (i, hit) in hits.iter().enumerate().rev() {
+        let is_thin = hit.ends_mm[1] - hit.ends_mm[0] <= thin_mm;
+        let Some(cover) = &hit.cover else {
+            shares[i] = is_thin.then_some(bare);
+            continue;
+        };
+        let even = Even::of(cover, hit.travel);
+        let adjoining = next.take_if(|(later, _)| hits[*later].adjoins(hit));
+        if let Some((_, later)) = next.take() {
+            laid.lay(later.way, later.width_mm);
+        }
+        if is_thin {
+            shares[i] = Some(laid.left_of(even.way, even.width_mm));
+        }
+        if let Some((_, later)) = adjoining {
+            laid.lay(later.way, later.width_mm);
+        }
+        bare *= 1.0 - (even.area_mm2 / area).min(1.0);
+        next = Some((i, even));
+    }
+    shares
+}
+
+/// A strip as long as what is covered is wide and large.
+struct Even {
+    way: [DVec2; 2],
+    width_mm: f64,
+    area_mm2: f64,
+}
+
+impl Even {
+    fn of(cover: &Region, travel: DVec2) -> Self {
+        let places = cover
+            .corners()
+            .iter()
+            .map(|corner| travel.perp_dot(*corner));
+        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+            (low.min(at), high.max(at))
+        });
+        let (width_mm, area_mm2) = (high - low, cover.area());
+        let half = travel * (0.5 * area_mm2 / width_mm);
+        let middle = cover.centroid();
+        Self {
+            way: [middle - half, middle + half],
+            width_mm,
+            area_mm2,
+        }
+    }
 }
 
 /// Parts up to which what is left of a run is measured.

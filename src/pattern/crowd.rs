@@ -23,6 +23,8 @@ pub(crate) struct Crowd {
     /// Per key: area, mm² in the pattern's own scale, and area times the place within the direction's step
     /// (-1/2 to 1/2).
     sums: [[f32; 2]; KEYS],
+    /// Bits of the keys that have any, class by class: there are few of many.
+    held: [u64; MOST_CLASSES],
     /// How many scratches these are; of prefiltered cells, how many entries.
     pub count: u32,
 }
@@ -46,6 +48,7 @@ impl Crowd {
     pub(crate) const fn new() -> Self {
         Self {
             sums: [[0.0; 2]; KEYS],
+            held: [0; MOST_CLASSES],
             count: 0,
         }
     }
@@ -62,6 +65,7 @@ impl Crowd {
         if let Some(sum) = self.sums.get_mut(key) {
             sum[0] += area_mm2;
             sum[1] += moment;
+            self.held[key / DIRECTIONS] |= 1 << (key % DIRECTIONS);
         }
     }
 
@@ -75,34 +79,47 @@ impl Crowd {
 
     /// What is in it, for a prefiltered cell.
     pub(crate) fn packed(&self) -> impl Iterator<Item = Packed> {
-        let held = self.sums.iter().enumerate().filter(|(_, sum)| sum[0] > 0.0);
-        held.map(|(key, &[area_mm2, moment])| Packed::new(key, moment / area_mm2, area_mm2))
+        self.groups(1).filter_map(|(class, direction)| {
+            let key = class * DIRECTIONS + direction;
+            let [area_mm2, moment] = self.sums[key];
+            (area_mm2 > 0.0).then(|| Packed::new(key, moment / area_mm2, area_mm2))
+        })
     }
 
     /// How many there are of [`Self::flocks`].
     pub(crate) fn flock_count(&self, coarser: usize) -> usize {
-        let is_held = |sums: &&[[f32; 2]]| sums.iter().any(|sum| sum[0] > 0.0);
-        self.sums.chunks(coarser).filter(is_held).count()
+        self.groups(coarser).count()
     }
 
-    /// All classes and directions held, class by class; `coarser` neighbouring directions counting as one.
+    /// All classes and directions held, class by class; `coarser` neighbouring directions (a power of two) counting as one.
     pub(crate) fn flocks(&self, coarser: usize) -> impl Iterator<Item = Flock> {
-        self.sums
-            .chunks(coarser)
-            .enumerate()
-            .filter_map(move |(i, sums)| {
-                let (mut area, mut angle) = (0.0, 0.0);
-                for (k, sum) in sums.iter().enumerate() {
-                    let [own, moment] = sum.map(f64::from);
-                    area += own;
-                    angle += own * ((i * coarser + k) % DIRECTIONS) as f64 + 0.5 * own + moment;
-                }
-                (area > 0.0).then(|| Flock {
-                    class: i * coarser / DIRECTIONS,
-                    travel: DVec2::from_angle(angle / area * STEP_RAD),
-                    area_mm2: area,
-                })
+        self.groups(coarser).filter_map(move |(class, first)| {
+            let (mut area, mut angle) = (0.0, 0.0);
+            for direction in first..first + coarser {
+                let [own, moment] = self.sums[class * DIRECTIONS + direction].map(f64::from);
+                area += own;
+                angle += own * direction as f64 + 0.5 * own + moment;
+            }
+            (area > 0.0).then(|| Flock {
+                class,
+                travel: DVec2::from_angle(angle / area * STEP_RAD),
+                area_mm2: area,
             })
+        })
+    }
+
+    /// Class and first direction of neighbouring directions that hold any.
+    fn groups(&self, coarser: usize) -> impl Iterator<Item = (usize, usize)> {
+        self.held.iter().enumerate().flat_map(move |(class, held)| {
+            let mut held = *held;
+            core::iter::from_fn(move || {
+                let first = held.trailing_zeros() as usize / coarser * coarser;
+                let own =
+                    (u64::MAX >> (DIRECTIONS - coarser)).checked_shl(u32::try_from(first).ok()?)?;
+                held &= !own;
+                Some((class, first))
+            })
+        })
     }
 }
 

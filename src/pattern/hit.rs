@@ -28,6 +28,8 @@ pub(crate) struct Hit<'p> {
     pub cover: Option<Region>,
     /// The share of its piece that later scratches leave.
     pub visible: f32,
+    /// How much of it counts as a scratch of its own: the rest of a thin cap is left to a crowd.
+    pub alone: f64,
 }
 
 impl Hit<'_> {

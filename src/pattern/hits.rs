@@ -94,7 +94,7 @@ impl Pattern {
             current: None,
         };
         if !listing.add_cut(&candidates) {
-            self.for_each_run(&candidates, &reach, &mut |run| {
+            self.for_each_run(&candidates, &reach, 0.0, &mut |run| {
                 listing.add_average(run);
                 ControlFlow::Continue(())
             });
@@ -229,7 +229,7 @@ impl Listing<'_> {
         let mut runs: ArrayVec<Hit<'_>, MOST_CUT> = ArrayVec::new();
         let mut all = true;
         let (pattern, reach) = (self.pattern, self.reach);
-        pattern.for_each_run(candidates, reach, &mut |run| {
+        pattern.for_each_run(candidates, reach, 0.0, &mut |run| {
             all = run.cover.is_none() || runs.try_push(*run).is_ok();
             if all {
                 ControlFlow::Continue(())

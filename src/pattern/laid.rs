@@ -55,20 +55,32 @@ impl Laid {
     /// shares of it. Nothing if there is no room.
     pub(super) fn lay_under(
         &mut self,
-        [start, end]: [DVec2; 2],
+        ends: [DVec2; 2],
         [from, to]: [f64; 2],
         width_mm: f64,
     ) -> Option<f64> {
-        let way = [start.lerp(end, from), start.lerp(end, to)];
+        let [start, end] = ends;
+        let left = self.left_of([start.lerp(end, from), start.lerp(end, to)], width_mm);
+        self.lay(ends, width_mm).then_some(left)
+    }
+
+    /// The share that the strips leave of a way so wide.
+    pub(super) fn left_of(&self, way: [DVec2; 2], width_mm: f64) -> f64 {
         let half_width = single(0.5 * width_mm).max(LEAST);
-        let left = in_lanes!(lanes => left_of(lanes, &self.eights, way, half_width));
+        in_lanes!(lanes => left_of(lanes, &self.eights, way, half_width)).into()
+    }
+
+    /// Lays a strip under the others; false if there is no room.
+    pub(super) fn lay(&mut self, [start, end]: [DVec2; 2], width_mm: f64) -> bool {
         let place = self.count % EIGHT;
-        if place == 0 {
-            self.eights.try_push([[0.0; EIGHT]; NUMBERS]).ok()?;
+        if place == 0 && self.eights.try_push([[0.0; EIGHT]; NUMBERS]).is_err() {
+            return false;
         }
         let along = (end - start).normalize_or(DVec2::X);
         let normal = along.perp();
-        let eight = self.eights.last_mut()?;
+        let Some(eight) = self.eights.last_mut() else {
+            return false;
+        };
         for (number, value) in [
             (Of::NormalX, normal.x),
             (Of::NormalY, normal.y),
@@ -82,7 +94,7 @@ impl Laid {
             eight[number as usize][place] = single(value);
         }
         self.count += 1;
-        Some(left.into())
+        true
     }
 }
 
@@ -123,24 +135,31 @@ fn left_of<L: Lanes>(
 #[inline(always)]
 fn overlap<L: Lanes>(lanes: L, [from, to]: [L::F; 2], other: L::F, own: f32) -> L::F {
     let none = lanes.all(0.0);
-    let (touch, inside) = (other + own, (other - own).max(-other + own));
-    // Both integrals of what they share, a trapezium, no further than where they part: beyond, squares would cancel.
-    let within = |at: L::F| at.min(touch).max(-touch);
-    let ramp = |at: L::F| at.max(none);
-    let square = |at: L::F| at * at;
-    let shared =
-        |at: L::F| ramp(at + touch) - ramp(at + inside) - ramp(at - inside) + ramp(at - touch);
-    let integral = |at: L::F| {
-        (square(ramp(at + touch)) - square(ramp(at + inside)) - square(ramp(at - inside))
-            + square(ramp(at - touch)))
-            * 0.5
-    };
+    let bounds = [other + own, (other - own).max(-other + own)];
+    let [touch, _] = bounds;
     let step = to - from;
-    let mean = (integral(within(to)) - integral(within(from))) / not_nothing(lanes, step);
-    let middle = shared(within((from + to) * 0.5));
+    let mean =
+        (shared_to(none, bounds, to) - shared_to(none, bounds, from)) / not_nothing(lanes, step);
+    let middle = shared(none, bounds, (from + to) * 0.5);
     // Where they run side by side.
-    let crosses = square(step) - square(touch * SIDE_BY_SIDE);
+    let crosses = step * step - touch * touch * SIDE_BY_SIDE.powi(2);
     crosses.if_above(none, mean, middle) / (2.0 * own)
+}
+
+/// What two strips share where their centre lines are so far apart, one of which ceases to lie in the other, and to touch
+/// it, at these bounds: a trapezium.
+#[inline(always)]
+fn shared<F: Number>(none: F, [touch, inside]: [F; 2], at: F) -> F {
+    let at = at.min(touch).max(-touch);
+    (at + touch) - (at + inside).max(none) - (at - inside).max(none)
+}
+
+/// Its integral up to a place, no further than where they part: beyond, squares would cancel.
+#[inline(always)]
+fn shared_to<F: Number>(none: F, [touch, inside]: [F; 2], at: F) -> F {
+    let at = at.min(touch).max(-touch);
+    let (first, second, third) = (at + touch, (at + inside).max(none), (at - inside).max(none));
+    (first * first - second * second - third * third) * 0.5
 }
 
 #[inline(always)]

@@ -72,6 +72,23 @@ impl Pattern {
         crowd
     }
 
+    /// Adds what a footprint holds of the caps of these pieces, as far as they do not stand by themselves beside what is so
+    /// thin.
+    pub(crate) fn add_thin_caps(
+        &self,
+        crowd: &mut Option<Crowd>,
+        candidates: &Candidates,
+        reach: &Reach<'_>,
+        thin_mm: f64,
+    ) {
+        for &number in candidates {
+            self.for_each_cap_chord(number as usize, Some(reach), thin_mm, &mut |chord| {
+                let crowd = crowd.get_or_insert_with(Crowd::new);
+                crowd.add(&self.palette, chord.areas([0.0, 1.0]), chord.travel);
+            });
+        }
+    }
+
     /// What a footprint holds of all scratches, however many, as far as cells as large as its parts tell.
     pub(crate) fn crowd(&self, reach: &Reach<'_>) -> Crowd {
         let mut crowd = Crowd::new();

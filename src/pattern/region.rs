@@ -78,6 +78,13 @@ impl Region {
         0.5 * self.edges().map(|(a, b)| a.perp_dot(b)).sum::<f64>()
     }
 
+    /// The smaller height of a parallelogram.
+    pub(crate) fn thickness(&self) -> f64 {
+        let [a, b, c] = [self.corners[0], self.corners[1], self.corners[2]];
+        let (p, q) = (b - a, c - b);
+        p.perp_dot(q).abs() / p.length_squared().max(q.length_squared()).sqrt()
+    }
+
     pub(crate) fn centroid(&self) -> DVec2 {
         // Relative to a corner, so that a small polygon far from the origin keeps its digits.
         let base = self.corners[0];

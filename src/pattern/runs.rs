@@ -56,13 +56,15 @@ impl Pattern {
     }
 
     /// Calls `visit` with each run of scratch, and each sector of its caps, that comes within reach of the footprint, until
-    /// it breaks.
+    /// it breaks. Of caps on scratches thinner than `thin_mm`, no sectors; tells whether it came by any that is not wholly
+    /// told.
     pub(crate) fn for_each_run<'p>(
         &'p self,
         candidates: &Candidates,
         reach: &Reach<'_>,
+        thin_mm: f64,
         visit: &mut impl FnMut(&Hit<'p>) -> ControlFlow<()>,
-    ) {
+    ) -> bool {
         let mm = DVec2::splat(reach.reach_mm);
         let [low, high] = hull(reach.footprint.corners().iter().copied());
         let mut walk = Walk {
@@ -71,13 +73,15 @@ impl Pattern {
             reach,
             near: [low - mm, high + mm],
             pixel_area: reach.footprint.area(),
+            thin_mm,
             visit,
+            thin_caps: false,
             is_over: false,
         };
         let mut pending: Option<Run<'p>> = None;
         for &number in candidates {
             if walk.is_over {
-                return;
+                break;
             }
             let Some(part) = walk.part(number as usize) else {
                 continue;
@@ -98,6 +102,7 @@ impl Pattern {
             walk.emit_cap(&part, End::Stop);
         }
         pending.iter().for_each(|run| walk.emit(run));
+        walk.thin_caps
     }
 }
 
@@ -192,7 +197,10 @@ struct Walk<'a, 'p, V> {
     /// The footprint's box and what is within reach of it, mm.
     near: [DVec2; 2],
     pixel_area: f64,
+    thin_mm: f64,
     visit: &'a mut V,
+    /// Whether it came by any that are not told, or in part.
+    thin_caps: bool,
     /// Whether it broke.
     is_over: bool,
 }
@@ -353,6 +361,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             parting,
             cover: Some(region),
             visible: self.pattern.visible_share(first.number),
+            alone: 1.0,
         };
         hit.cut_cover();
         self.tell(&hit);
@@ -374,6 +383,11 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         let Some(cap) = self.pattern.cap_at(part.number, end) else {
             return;
         };
+        let alone = cap.alone(&part.track, self.thin_mm);
+        self.thin_caps |= alone < 1.0;
+        if alone == 0.0 {
+            return;
+        }
         let Some(beyond) = self.reach.footprint.clipped(point, outward) else {
             return;
         };
@@ -396,6 +410,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
                 parting,
                 cover: Some(region),
                 visible,
+                alone,
             };
             hit.cut_cover();
             self.tell(&hit);

@@ -6,7 +6,8 @@ use crate::brdf::Finish;
 use crate::error::{Error, Result, all_finite};
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
-    Candidates, Crowd, Frame, Hit, Metric, Pattern, Reach, Region, SurfacePoint, cut, uncut_share,
+    Candidates, Crowd, Frame, Hit, Metric, Pattern, Reach, Region, SurfacePoint, cut, left_of_thin,
+    uncut_share,
 };
 use crate::{single, unit};
 use arrayvec::ArrayVec;
@@ -28,6 +29,12 @@ const MOST_HITS: usize = 128;
 /// Most pixels have no more than so many. Room for all would be 100 KB of stack, which takes longer to be touched
 /// than a scratch to be shaded.
 const FEW_HITS: usize = 12;
+
+/// Beside many others, scratches up to this share of the footprint's thickness are thin: what later ones leave of one is
+/// measured, and taken from it evenly, and its caps count as a crowd. All of it from twice so many pieces on, none up to so
+/// many.
+const THIN: f64 = 0.0625;
+const FEW_PIECES: f64 = 4.0;
 
 /// A run that is larger by this share than the first one of the crowd stands alone; in between it does in part.
 const FADE: f64 = 0.3;
@@ -171,12 +178,13 @@ impl Shading {
     /// pixel are no part of a crowd.
     fn add_many(&mut self, pattern: &Pattern, candidates: &mut Candidates, reach: &Reach<'_>) {
         candidates.sort_unstable();
-        let crowd = pattern.crowd_of(reach, candidates);
         self.clear();
-        let alone = crowd.count <= MOST_ALONE
-            && self.add_each::<MOST_HITS>(pattern, candidates, reach, MOST_HITS / 4);
-        if !alone {
-            self.add_as_crowd(pattern, &crowd, reach);
+        let are_few = candidates.len() <= MOST_ALONE as usize;
+        let mut crowd = (!are_few).then(|| pattern.crowd_of(reach, candidates));
+        let alone = crowd.as_ref().is_none_or(|crowd| crowd.count <= MOST_ALONE);
+        if !alone || !self.add_each::<MOST_HITS>(pattern, candidates, reach, MOST_HITS / 4) {
+            let crowd = crowd.get_or_insert_with(|| pattern.crowd_of(reach, candidates));
+            self.add_as_crowd(pattern, crowd, reach);
         }
     }
 
@@ -208,7 +216,9 @@ impl Shading {
     ) -> bool {
         let mut hits: ArrayVec<Hit<'_>, MOST> = ArrayVec::new();
         let (mut all, mut beside) = (true, 0);
-        pattern.for_each_run(candidates, reach, &mut |hit| {
+        let many = (candidates.len() as f64 / FEW_PIECES - 1.0).clamp(0.0, 1.0);
+        let thin_mm = THIN * many * reach.footprint.thickness();
+        let thin_caps = pattern.for_each_run(candidates, reach, thin_mm, &mut |hit| {
             beside += usize::from(hit.cover.is_none());
             if hit.cover.is_some() || beside <= most_beside {
                 all = hits.try_push(*hit).is_ok();
@@ -243,32 +253,45 @@ impl Shading {
         };
         let first_of_crowd = runs.iter().enumerate().find(full);
         let first_of_crowd = first_of_crowd.map_or(0.0, |(_, run)| run.1);
+        let left = left_of_thin::<MOST>(&hits, thin_mm, reach.footprint.area());
         let mut crowd = None;
+        if thin_caps {
+            pattern.add_thin_caps(&mut crowd, candidates, reach, thin_mm);
+        }
         for &(i, area) in &runs {
-            let hit = &hits[i];
+            let (hit, left) = (&hits[i], left.get(i).copied().flatten());
             // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
             let alone = ((area / first_of_crowd - 1.0) / FADE).clamp(0.0, 1.0);
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
             let added = alone > 0.0
                 && self
-                    .add(pattern, &hits, i, single(alone), reach.footprint)
+                    .add(
+                        pattern,
+                        &hits,
+                        i,
+                        left,
+                        single(alone * hit.alone),
+                        reach.footprint,
+                    )
                     .is_some();
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(Crowd::new);
-                let left = uncut_share(&hits, i);
-                pattern.add_run(crowd, hit, reach, rest * area * left);
+                let left = left.unwrap_or_else(|| uncut_share(&hits, i));
+                pattern.add_run(crowd, hit, reach, rest * area * left * hit.alone);
             }
         }
         crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, reach))
     }
 
-    /// Adds what is left of run `i`, thinned by `gain`; nothing if there is no room.
+    /// Adds what is left of run `i`, which is the share `left` of it if that is known, thinned by `gain`; nothing if there
+    /// is no room.
     fn add(
         &mut self,
         pattern: &Pattern,
         hits: &[Hit<'_>],
         i: usize,
+        left: Option<f64>,
         gain: f32,
         footprint: &Region,
     ) -> Option<()> {
@@ -278,13 +301,15 @@ impl Shading {
             return None;
         }
         let across = hit.across();
-        let mut left: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
-        left.push(*footprint);
-        if !left[0].keep(&hit.parting_lines()) || !cut(hits, i, &mut left, pixel_area) {
+        let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
+        parts.push(*footprint);
+        let is_held = parts[0].keep(&hit.parting_lines());
+        if !is_held || (left.is_none() && !cut(hits, i, &mut parts, pixel_area)) {
             return None;
         }
+        let pixel_area = pixel_area / left.unwrap_or(1.0);
         let densities = &mut self.zones.densities;
-        let weight = densities.add_regions(&left, hit.origin, across, pixel_area)?;
+        let weight = densities.add_regions(&parts, hit.origin, across, pixel_area)?;
         let mut numbers = [0; MOST_LAYERS + 1];
         for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
             *number = self.zones.finish(&pattern.hosts.found(&finish));
