@@ -16,8 +16,11 @@ use rayon::prelude::*;
 /// Pieces that a cell should hold on average.
 const PER_CELL: f64 = 64.0;
 
-/// Pieces that a part of a cell should hold.
+/// Pieces that a part of a cell should hold. Of fewer pieces in all than this, smaller parts hold fewer in proportion, down
+/// to this many: then the room is there, and most pixels find nothing to look at.
 const PER_PART: f64 = 12.0;
+const MANY: f64 = 131_072.0;
+const LEAST_PER_PART: f64 = 0.25;
 
 /// Cells that a piece may cross, on average: long pieces ask for larger cells.
 const MOST_CELLS_PER_PIECE: f64 = 32.0;
@@ -76,11 +79,13 @@ impl Grid {
 
     /// Of cells that are crossed by so many pieces each, `listed` in all.
     fn of_cells(curves: Curves<'_>, raster: Raster, counts: &[u32], listed: f64) -> Self {
-        let per_piece = listed / curves.pieces.len() as f64;
+        let pieces = curves.pieces.len() as f64;
+        let per_piece = listed / pieces;
+        let per_part = (PER_PART * pieces / MANY).clamp(LEAST_PER_PART, PER_PART);
         let most = (MOST_PARTS_PER_PIECE / per_piece).clamp(1.0, MOST_PARTS);
         let mut first = 0;
         let cell = |&count: &u32| {
-            let side = (f64::from(count) / PER_PART).sqrt().ceil();
+            let side = (f64::from(count) / per_part).sqrt().ceil();
             let side = cell_number(side.clamp(1.0, most));
             let cell = Cell { first, side };
             first += side * side;

@@ -74,18 +74,13 @@ impl Pattern {
         let metric = Metric::at(point, &frame, scale)?;
         let (region, footprint) = metric.region(&point.footprint, scale);
         footprint?;
-        let reach = Reach {
-            metric: &metric,
-            footprint: &region,
-            reach_mm: self.extent.half_width_mm.into(),
-        };
+        let reach = Reach::new(&metric, &region, self.extent.half_width_mm.into());
         let mut candidates = Candidates::new();
         let complete = self.candidates(&reach, &mut candidates);
         candidates.sort_unstable();
         let mut listing = Listing {
             pattern: self,
             reach: &reach,
-            pixel_area: region.area(),
             hits,
             found: Found {
                 complete,
@@ -217,7 +212,6 @@ struct Sum {
 struct Listing<'a> {
     pattern: &'a Pattern,
     reach: &'a Reach<'a>,
-    pixel_area: f64,
     hits: &'a mut [ScratchHit],
     found: Found,
     current: Option<Sum>,
@@ -244,7 +238,7 @@ impl Listing<'_> {
             let Some(cover) = &run.cover else { continue };
             let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
             parts.push(*cover);
-            let area = if cut(&runs, i, &mut parts, self.pixel_area) {
+            let area = if cut(&runs, i, &mut parts, self.reach.area_mm2) {
                 parts.iter().map(Region::area).sum()
             } else {
                 sampled(&runs[i + 1..], cover)
@@ -305,7 +299,7 @@ impl Listing<'_> {
         let [depth_mm, deepest_mm] = self.pattern.depths(sum.scratch, at, offset_mm);
         ScratchHit {
             scratch: sum.scratch,
-            coverage: single((sum.area / self.pixel_area).min(1.0)),
+            coverage: single((sum.area / self.reach.area_mm2).min(1.0)),
             arc_length: at * self.pattern.length_of(sum.scratch),
             offset_mm,
             travel: travel.extend(0.0).as_vec3().to_array(),

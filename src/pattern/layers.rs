@@ -15,6 +15,13 @@ pub(crate) struct Layered<'s> {
 }
 
 impl Layered<'_> {
+    /// Whether any vertex lies where the one before it does.
+    pub(crate) fn has_doubles(xs: &[f32], zs: &[f32]) -> bool {
+        let pairs = xs.windows(2).zip(zs.windows(2));
+        let doubles = pairs.map(|(x, z)| (x[0] == x[1]) & (z[0] == z[1]));
+        doubles.fold(false, |any, double| any | double)
+    }
+
     /// Cuts a cross-section (its outermost two facets on each side are a peak's flanks) at the `interfaces`,
     /// z from the surface down, mm; how many vertices that gives. Where room runs out (the shape's own vertices must
     /// find some), interfaces are left out.

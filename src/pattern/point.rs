@@ -299,11 +299,7 @@ mod tests {
             let metric = Metric::at(&point, &frame, 10.0).unwrap();
             let (footprint, status) = metric.region(&point.footprint, 10.0);
             status.unwrap();
-            let reach = Reach {
-                metric: &metric,
-                footprint: &footprint,
-                reach_mm: 0.02,
-            };
+            let reach = Reach::new(&metric, &footprint, 0.02);
             let [exact_low, exact_high] = reach.box_uv();
             let slack = DVec2::splat(1e-6) * (high - low);
             let held =

@@ -29,10 +29,21 @@ pub(crate) type Candidates = ArrayVec<u32, MOST_CANDIDATES>;
 pub(crate) struct Reach<'a> {
     pub metric: &'a Metric,
     pub footprint: &'a Region,
+    /// The footprint's.
+    pub area_mm2: f64,
     pub reach_mm: f64,
 }
 
-impl Reach<'_> {
+impl<'a> Reach<'a> {
+    pub(crate) fn new(metric: &'a Metric, footprint: &'a Region, reach_mm: f64) -> Self {
+        Self {
+            metric,
+            footprint,
+            area_mm2: footprint.area(),
+            reach_mm,
+        }
+    }
+
     /// The footprint's box in (u, v).
     pub(crate) fn footprint_uv(&self) -> [DVec2; 2] {
         let corners = self.footprint.corners().iter();

@@ -72,7 +72,6 @@ impl Pattern {
             curves: self.curves(),
             reach,
             near: [low - mm, high + mm],
-            pixel_area: reach.footprint.area(),
             thin_mm,
             visit,
             thin_caps: false,
@@ -196,7 +195,6 @@ struct Walk<'a, 'p, V> {
     reach: &'a Reach<'a>,
     /// The footprint's box and what is within reach of it, mm.
     near: [DVec2; 2],
-    pixel_area: f64,
     thin_mm: f64,
     visit: &'a mut V,
     /// Whether it came by any that are not told, or in part.
@@ -273,7 +271,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
     /// How much more a part may change than one that covers much of the footprint.
     fn slack(&self, part: &Part<'p>) -> f64 {
         let area = 2.0 * part.track.half_width_mm * part.chord().length();
-        let small = SMALL_PART * self.pixel_area / area;
+        let small = SMALL_PART * self.reach.area_mm2 / area;
         small.sqrt().clamp(1.0, MOST_SLACK)
     }
 

@@ -126,18 +126,28 @@ impl Zones {
     /// Puts a run's cross-section into the free slots, its facets with the finishes of these numbers, by layer; how many
     /// vertices it has.
     pub(crate) fn place(&mut self, hit: &Hit<'_>, numbers: &[u8]) -> usize {
-        let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
         let vertices = hit.profile.vertex_count;
-        let (xs, zs) = (&mut xs[..vertices], &mut zs[..vertices]);
+        let first = self.used as usize;
+        let own = first..first + vertices;
+        let (xs, zs) = (&mut self.x[own.clone()], &mut self.z[own.clone()]);
         hit.profile.sample(xs, zs);
-        let free = self.used as usize..MOST_SLOTS;
+        // Mostly that is all.
+        if hit.track.layers.is_empty() && !Layered::has_doubles(xs, zs) {
+            self.finish[own].fill(numbers[0]);
+            return vertices;
+        }
+        let (mut whole_x, mut whole_z) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
+        let (whole_x, whole_z) = (&mut whole_x[..vertices], &mut whole_z[..vertices]);
+        whole_x.copy_from_slice(xs);
+        whole_z.copy_from_slice(zs);
+        let free = first..MOST_SLOTS;
         let slots = Layered {
             x: &mut self.x[free.clone()],
             z: &mut self.z[free.clone()],
             layer: &mut self.finish[free.clone()],
         };
         let layers = hit.track.layers.iter();
-        let count = slots.cut(xs, zs, layers.map(|layer| layer.bottom_mm));
+        let count = slots.cut(whole_x, whole_z, layers.map(|layer| layer.bottom_mm));
         for finish in &mut self.finish[free][..count] {
             *finish = numbers[*finish as usize];
         }

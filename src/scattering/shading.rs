@@ -113,11 +113,7 @@ impl Shading {
         let metric = Metric::at(&point, &frame, scale)?;
         let (region, footprint) = metric.region(&point.footprint, scale);
         if self.view.z >= LEAST_COS {
-            let reach = Reach {
-                metric: &metric,
-                footprint: &region,
-                reach_mm,
-            };
+            let reach = Reach::new(&metric, &region, reach_mm);
             let complete = found.unwrap_or_else(|| pattern.candidates(&reach, candidates));
             self.fill(pattern, &reach, complete.then_some(candidates));
         }
@@ -253,7 +249,7 @@ impl Shading {
         };
         let first_of_crowd = runs.iter().enumerate().find(full);
         let first_of_crowd = first_of_crowd.map_or(0.0, |(_, run)| run.1);
-        let left = left_of_thin::<MOST>(&hits, thin_mm, reach.footprint.area());
+        let left = left_of_thin::<MOST>(&hits, thin_mm, reach.area_mm2);
         let mut crowd = None;
         if thin_caps {
             pattern.add_thin_caps(&mut crowd, candidates, reach, thin_mm);
@@ -265,14 +261,7 @@ impl Shading {
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
             let added = alone > 0.0
                 && self
-                    .add(
-                        pattern,
-                        &hits,
-                        i,
-                        left,
-                        single(alone * hit.alone),
-                        reach.footprint,
-                    )
+                    .add(pattern, &hits, i, left, single(alone * hit.alone), reach)
                     .is_some();
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
@@ -293,21 +282,20 @@ impl Shading {
         i: usize,
         left: Option<f64>,
         gain: f32,
-        footprint: &Region,
+        reach: &Reach<'_>,
     ) -> Option<()> {
-        let pixel_area = footprint.area();
         let hit = &hits[i];
         if self.relief_count as usize == MOST_RELIEFS || !self.zones.has_room(hit.most_vertices()) {
             return None;
         }
         let across = hit.across();
         let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
-        parts.push(*footprint);
+        parts.push(*reach.footprint);
         let is_held = parts[0].keep(&hit.parting_lines());
-        if !is_held || (left.is_none() && !cut(hits, i, &mut parts, pixel_area)) {
+        if !is_held || (left.is_none() && !cut(hits, i, &mut parts, reach.area_mm2)) {
             return None;
         }
-        let pixel_area = pixel_area / left.unwrap_or(1.0);
+        let pixel_area = reach.area_mm2 / left.unwrap_or(1.0);
         let densities = &mut self.zones.densities;
         let weight = densities.add_regions(&parts, hit.origin, across, pixel_area)?;
         let mut numbers = [0; MOST_LAYERS + 1];
@@ -329,7 +317,6 @@ impl Shading {
     /// Adds scratches by cross-section and direction; false if there is no room for one of the cross-sections.
     #[inline(never)]
     fn add_crowd(&mut self, pattern: &Pattern, crowd: &Crowd, reach: &Reach<'_>) -> bool {
-        let pixel_area = reach.footprint.area();
         let fits = |coarser: &usize| crowd.flock_count(*coarser) <= MOST_FLOCKS;
         let coarser = [1, 2, 4, 8, 16].into_iter().find(fits).unwrap_or(32);
         let mut class = None;
@@ -347,7 +334,7 @@ impl Shading {
             self.flocks.push(&Flock {
                 across: across.as_vec2(),
                 slots,
-                share: single(area_mm2 / pixel_area),
+                share: single(area_mm2 / reach.area_mm2),
                 shown: 0.0,
             });
         }
