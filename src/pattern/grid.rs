@@ -5,7 +5,7 @@
 
 use super::lists::Lists;
 use super::pieces::Curves;
-use super::raster::{Extents, Raster, cell_number};
+use super::raster::{Extents, Raster, Touched, cell_number};
 use super::store::Store;
 use bytemuck::{Pod, Zeroable};
 use core::ops::ControlFlow;
@@ -20,7 +20,7 @@ const PER_CELL: f64 = 64.0;
 /// to this many: then the room is there, and most pixels find nothing to look at.
 const PER_PART: f64 = 12.0;
 const MANY: f64 = 131_072.0;
-const LEAST_PER_PART: f64 = 0.25;
+const LEAST_PER_PART: f64 = 0.0625;
 
 /// Cells that a piece may cross, on average: long pieces ask for larger cells.
 const MOST_CELLS_PER_PIECE: f64 = 32.0;
@@ -109,16 +109,13 @@ impl Grid {
     }
 
     /// Calls `visit` with lists of all pieces that may touch the box from `low` to `high`, each once or more, until it
-    /// breaks.
+    /// breaks. These cells are those that the box touches.
     pub(crate) fn query(
         &self,
-        low: DVec2,
-        high: DVec2,
+        (columns, rows): Touched,
+        [low, high]: [DVec2; 2],
         mut visit: impl FnMut(&[u32]) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        let Some((columns, rows)) = self.raster.touched(low, high) else {
-            return ControlFlow::Continue(());
-        };
         let (starts, entries) = (&*self.starts, &*self.entries);
         for row in rows {
             for column in columns.clone() {
@@ -126,7 +123,7 @@ impl Grid {
                 let Some(cell) = self.cell(number as usize) else {
                     continue;
                 };
-                let parts = self.raster.cell(number as usize).parted(cell.side);
+                let parts = self.raster.cell_at(column, row).parted(cell.side);
                 let Some((columns, rows)) = parts.touched(low, high) else {
                     continue;
                 };
@@ -220,7 +217,10 @@ mod tests {
                 let low = DVec2::new(rng.random::<f64>() * 2.2 - 0.1, rng.random::<f64>()) * crowd;
                 let high = low + DVec2::new(rng.random(), rng.random()) * 0.1 * crowd;
                 let mut found = vec![false; chains.pieces.len()];
-                let _ = grid.query(low, high, |pieces| {
+                let Some(cells) = grid.raster.touched(low, high) else {
+                    continue;
+                };
+                let _ = grid.query(cells, [low, high], |pieces| {
                     pieces
                         .iter()
                         .for_each(|&piece| found[piece as usize] = true);

@@ -3,6 +3,7 @@
 use super::Pattern;
 use super::pieces::bounds;
 use super::point::Metric;
+use super::raster::{Touched, count};
 use super::region::Region;
 use super::seen::{Inserted, Seen};
 use arrayvec::ArrayVec;
@@ -92,13 +93,13 @@ impl Pattern {
 
     /// The pieces near a box in (u, v); false if they are too many.
     pub(crate) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
-        match self.grid.raster.count_touched(low, high) {
-            0 => return true,
-            count if count > MOST_CELLS => return false,
-            _ => {}
-        }
+        let cells = match self.grid.raster.touched(low, high) {
+            None => return true,
+            Some(cells) if count(&cells) > MOST_CELLS => return false,
+            Some(cells) => cells,
+        };
         let curves = self.curves();
-        let flow = self.grid.query(low, high, |listed| {
+        let flow = self.grid.query(cells.clone(), [low, high], |listed| {
             for &number in listed {
                 let is_known = found.last() == Some(&number);
                 if is_known || misses(&curves.control(number as usize), low, high) {
@@ -113,7 +114,7 @@ impl Pattern {
         });
         if flow.is_break() {
             found.clear();
-            return self.many_near(low, high, found);
+            return self.many_near(cells, [low, high], found);
         }
         found.sort_unstable();
         let mut last = None;
@@ -123,10 +124,10 @@ impl Pattern {
 
     /// The same where pieces are listed again and again, as they are where many are near: known ones are known at once.
     #[inline(never)]
-    fn many_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
+    fn many_near(&self, cells: Touched, [low, high]: [DVec2; 2], found: &mut Candidates) -> bool {
         let curves = self.curves();
         let mut seen = Seen::<MOST_LISTED>::new();
-        let flow = self.grid.query(low, high, |listed| {
+        let flow = self.grid.query(cells, [low, high], |listed| {
             for &number in listed {
                 match seen.insert(number) {
                     Inserted::Before => continue,

@@ -17,6 +17,9 @@ pub(crate) struct Raster {
     pub rows: u32,
 }
 
+/// Columns and rows of cells.
+pub(super) type Touched = (RangeInclusive<u32>, RangeInclusive<u32>);
+
 /// What a raster for many things must span, and how large they are.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Extents {
@@ -134,17 +137,19 @@ impl Raster {
 
     /// How many cells a box touches.
     pub(crate) fn count_touched(&self, low: DVec2, high: DVec2) -> u32 {
-        let length = |range: &RangeInclusive<u32>| range.end() - range.start() + 1;
-        self.touched(low, high).map_or(0, |(columns, rows)| {
-            length(&columns).saturating_mul(length(&rows))
-        })
+        self.touched(low, high).map_or(0, |touched| count(&touched))
     }
 
     /// Where a cell is lowest and highest: where it ends, to the bit, its neighbours begin.
     pub(super) fn corners(&self, number: usize) -> [DVec2; 2] {
         let columns = self.columns as usize;
-        let (column, row) = ((number % columns) as f64, (number / columns) as f64);
-        [0.0, 1.0].map(|i| self.origin + DVec2::new(column + i, row + i) / self.per_unit)
+        let place = DVec2::new((number % columns) as f64, (number / columns) as f64);
+        [0.0, 1.0].map(|i| self.corner(place + i))
+    }
+
+    /// So many columns and rows from the origin.
+    fn corner(&self, place: DVec2) -> DVec2 {
+        self.origin + place / self.per_unit
     }
 
     /// The same, of a raster of this box: its outermost cells end where the box does.
@@ -161,8 +166,17 @@ impl Raster {
 
     /// One of its cells.
     pub(crate) fn cell(&self, number: usize) -> Self {
+        self.of_cell(self.corners(number)[0])
+    }
+
+    /// The cell in a column and row.
+    pub(super) fn cell_at(&self, column: u32, row: u32) -> Self {
+        self.of_cell(self.corner(DVec2::new(column.into(), row.into())))
+    }
+
+    fn of_cell(&self, origin: DVec2) -> Self {
         Self {
-            origin: self.corners(number)[0],
+            origin,
             columns: 1,
             rows: 1,
             ..*self
@@ -287,11 +301,7 @@ impl Raster {
     }
 
     /// Columns and rows that a box touches, if any.
-    pub(crate) fn touched(
-        &self,
-        low: DVec2,
-        high: DVec2,
-    ) -> Option<(RangeInclusive<u32>, RangeInclusive<u32>)> {
+    pub(crate) fn touched(&self, low: DVec2, high: DVec2) -> Option<Touched> {
         let count = DVec2::new(self.columns.into(), self.rows.into());
         let [from, to] = [low, high].map(|place| (place - self.origin) * self.per_unit);
         // A hair of slack again; false for NaN and for a grid of nothing.
@@ -303,6 +313,12 @@ impl Raster {
         };
         (touches && self.columns > 0).then(|| (cells(0, self.columns), cells(1, self.rows)))
     }
+}
+
+/// How many cells these are.
+pub(super) fn count((columns, rows): &Touched) -> u32 {
+    let length = |range: &RangeInclusive<u32>| range.end() - range.start() + 1;
+    length(columns).saturating_mul(length(rows))
 }
 
 /// A straight band in cells.
