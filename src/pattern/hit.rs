@@ -24,8 +24,8 @@ pub(crate) struct Hit<'p> {
     pub travel: DVec2,
     /// Point and unit direction, forwards, of the lines across which this run begins and ends.
     pub parting: [[DVec2; 2]; 2],
-    /// What it covers of the footprint.
-    pub cover: Option<Region>,
+    /// What of the footprint lies between those lines, beside the run too.
+    pub region: Region,
     /// The share of its piece that later scratches leave.
     pub visible: f32,
     /// How much of it counts as a scratch of its own: the rest of a thin cap is left to a crowd.
@@ -52,12 +52,27 @@ impl Hit<'_> {
         ]
     }
 
-    /// Cuts the cover, until then all of the footprint beside the run, down to what lies between its ends across.
-    pub(super) fn cut_cover(&mut self) {
-        let sides = self.sides(self.ends_mm);
-        if self.cover.as_mut().is_some_and(|cover| !cover.keep(&sides)) {
-            self.cover = None;
-        }
+    /// What it covers of the footprint.
+    pub(crate) fn cover(&self) -> Option<Region> {
+        self.region.within(&self.sides(self.ends_mm))
+    }
+
+    /// Whether it covers nothing of the footprint, but lies beside it.
+    pub(crate) fn is_beside(&self) -> bool {
+        let [low, high] = self.region.extent(self.origin, self.across());
+        let [left, right] = self.ends_mm;
+        low >= right || high <= left
+    }
+
+    /// Whether any of a region may lie between two distances across from the run, and between its ends.
+    pub(super) fn may_cover(&self, [left, right]: [f64; 2], region: &Region) -> bool {
+        let [low, high] = region.extent(self.origin, self.across());
+        let is_across = low < right && high > left;
+        is_across
+            && self.parting_lines().iter().all(|&[start, inward]| {
+                let [_, most] = region.extent(start, inward);
+                most > 0.0
+            })
     }
 
     /// The four lines that bound what the run covers between two distances across.

@@ -3,7 +3,7 @@
 
 use super::Pattern;
 use super::closest::{length_share, nearest};
-use super::crossings::cut;
+use super::crossings::Crossing;
 use super::hit::Hit;
 use super::point::{Frame, Metric, SurfacePoint};
 use super::query::{Candidates, Reach};
@@ -155,9 +155,7 @@ impl Pattern {
 }
 
 /// What later runs leave of an area, by points: where they cut it into too many parts.
-fn sampled(later: &[Hit<'_>], cover: &Region) -> f64 {
-    let holds =
-        |region: &Region, p: DVec2| region.edges().all(|(a, b)| (b - a).perp_dot(p - a) >= 0.0);
+fn sampled(later: &[Option<Region>], cover: &Region) -> f64 {
     let corners = cover.corners();
     let low = corners.iter().copied().fold(DVec2::INFINITY, DVec2::min);
     let high = corners
@@ -168,12 +166,12 @@ fn sampled(later: &[Hit<'_>], cover: &Region) -> f64 {
     let (mut inside, mut left) = (0, 0);
     for (i, j) in (0..SAMPLES).flat_map(|i| (0..SAMPLES).map(move |j| (i, j))) {
         let p = low + (high - low) * DVec2::new(place(i), place(j));
-        if !holds(cover, p) {
+        if !cover.holds(p) {
             continue;
         }
         let is_cut = later
             .iter()
-            .any(|run| run.cover.as_ref().is_some_and(|region| holds(region, p)));
+            .any(|cover| cover.is_some_and(|cover| cover.holds(p)));
         inside += 1;
         left += u32::from(!is_cut);
     }
@@ -224,7 +222,7 @@ impl Listing<'_> {
         let mut all = true;
         let (pattern, reach) = (self.pattern, self.reach);
         pattern.for_each_run(candidates, reach, 0.0, &mut |run| {
-            all = run.cover.is_none() || runs.try_push(*run).is_ok();
+            all = run.is_beside() || runs.try_push(*run).is_ok();
             if all {
                 ControlFlow::Continue(())
             } else {
@@ -234,14 +232,16 @@ impl Listing<'_> {
         if !all {
             return false;
         }
+        let covers: ArrayVec<Option<Region>, MOST_CUT> = runs.iter().map(Hit::cover).collect();
+        let crossing = Crossing::new(&runs, &covers);
         for (i, run) in runs.iter().enumerate() {
-            let Some(cover) = &run.cover else { continue };
+            let Some(cover) = &covers[i] else { continue };
             let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
             parts.push(*cover);
-            let area = if cut(&runs, i, &mut parts, self.reach.area_mm2) {
+            let area = if crossing.cut(i, &mut parts, self.reach.area_mm2) {
                 parts.iter().map(Region::area).sum()
             } else {
-                sampled(&runs[i + 1..], cover)
+                sampled(&covers[i + 1..], cover)
             };
             self.add(run, area);
         }
@@ -249,7 +249,7 @@ impl Listing<'_> {
     }
 
     fn add_average(&mut self, run: &Hit<'_>) {
-        let area = run.cover.as_ref().map_or(0.0, Region::area);
+        let area = run.cover().as_ref().map_or(0.0, Region::area);
         self.add(run, area * f64::from(run.visible));
     }
 

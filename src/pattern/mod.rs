@@ -48,7 +48,7 @@ mod track;
 mod tracks;
 
 pub use builder::PatternBuilder;
-pub(crate) use crossings::{cut, left_of_thin, uncut_share};
+pub(crate) use crossings::Crossing;
 pub(crate) use crowd::Crowd;
 #[cfg(feature = "svg")]
 pub(crate) use generator::tapered;

@@ -67,11 +67,19 @@ impl Region {
         corners.iter().map(edge)
     }
 
-    /// Its lowest and highest coordinates.
-    pub(crate) fn bounds(&self) -> [DVec2; 2] {
-        let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-        let corners = self.corners().iter();
-        corners.fold(empty, |[low, high], p| [low.min(*p), high.max(*p)])
+    /// From where to where it reaches from a point in a direction.
+    pub(crate) fn extent(&self, origin: DVec2, direction: DVec2) -> [f64; 2] {
+        let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
+        for at in self
+            .corners()
+            .iter()
+            .map(|corner| (*corner - origin).dot(direction))
+        {
+            // Written so that each is one instruction.
+            from = if at < from { at } else { from };
+            to = if at > to { at } else { to };
+        }
+        [from, to]
     }
 
     pub(crate) fn area(&self) -> f64 {

@@ -347,7 +347,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         let Near {
             at, origin, travel, ..
         } = near;
-        let mut hit = Hit {
+        self.tell(&Hit {
             track: first.track,
             place: course.value(at),
             profile,
@@ -357,12 +357,10 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             origin,
             travel,
             parting,
-            cover: Some(region),
+            region,
             visible: self.pattern.visible_share(first.number),
             alone: 1.0,
-        };
-        hit.cut_cover();
-        self.tell(&hit);
+        });
     }
 
     /// The sectors of the cap at an end of a part, if that is a hard end of its scratch within reach.
@@ -396,7 +394,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             let parting = [[origin, from.perp()], [origin, to.perp()]];
             let region = beyond.within(&[[origin, from.perp()], [origin, -to.perp()]]);
             let Some(region) = region else { continue };
-            let mut hit = Hit {
+            self.tell(&Hit {
                 track: part.track,
                 place: cap.place,
                 profile: sector.profile,
@@ -406,12 +404,10 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
                 origin,
                 travel: sector.wedge.axis(travel).perp(),
                 parting,
-                cover: Some(region),
+                region,
                 visible,
                 alone,
-            };
-            hit.cut_cover();
-            self.tell(&hit);
+            });
         }
     }
 }

@@ -6,8 +6,7 @@ use crate::brdf::Finish;
 use crate::error::{Error, Result, all_finite};
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
-    Candidates, Crowd, Frame, Hit, Metric, Pattern, Reach, Region, SurfacePoint, cut, left_of_thin,
-    uncut_share,
+    Candidates, Crossing, Crowd, Frame, Hit, Metric, Pattern, Reach, Region, SurfacePoint,
 };
 use crate::{single, unit};
 use arrayvec::ArrayVec;
@@ -214,9 +213,15 @@ impl Shading {
         let (mut all, mut beside) = (true, 0);
         let many = (candidates.len() as f64 / FEW_PIECES - 1.0).clamp(0.0, 1.0);
         let thin_mm = THIN * many * reach.footprint.thickness();
+        let mut last = None;
         let thin_caps = pattern.for_each_run(candidates, reach, thin_mm, &mut |hit| {
-            beside += usize::from(hit.cover.is_none());
-            if hit.cover.is_some() || beside <= most_beside {
+            let is_beside = hit.is_beside();
+            beside += usize::from(is_beside);
+            if !is_beside {
+                self.scratch_count += u32::from(last != Some(hit.scratch));
+                last = Some(hit.scratch);
+            }
+            if !is_beside || beside <= most_beside {
                 all = hits.try_push(*hit).is_ok();
             }
             if all {
@@ -228,16 +233,47 @@ impl Shading {
         if !all {
             return false;
         }
-        let covering = hits.iter().filter(|hit| hit.cover.is_some());
-        let mut last = None;
-        for scratch in covering.map(|hit| Some(hit.scratch)) {
-            self.scratch_count += u32::from(last != scratch);
-            last = scratch;
+        let mut crowd = None;
+        if thin_caps {
+            pattern.add_thin_caps(&mut crowd, candidates, reach, thin_mm);
         }
+        match &hits[..] {
+            [] => {}
+            // Most pixels that hold any: there is nothing to be cut, and always room.
+            [hit] => {
+                self.add(
+                    pattern,
+                    hit,
+                    &[hit.region],
+                    single(hit.alone),
+                    reach.area_mm2,
+                );
+            }
+            hits => self.add_crossing::<MOST>(pattern, hits, reach, thin_mm, &mut crowd),
+        }
+        crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, reach))
+    }
+
+    /// Adds runs, each less what later ones cut away; the smallest ones to the crowd where there is no room.
+    #[inline(never)]
+    fn add_crossing<const MOST: usize>(
+        &mut self,
+        pattern: &Pattern,
+        hits: &[Hit<'_>],
+        reach: &Reach<'_>,
+        thin_mm: f64,
+        crowd: &mut Option<Crowd>,
+    ) {
+        // In place: room for all is not to be moved.
+        let mut covers: ArrayVec<Option<Region>, MOST> = ArrayVec::new();
+        covers.extend(hits.iter().map(Hit::cover));
+        let crossing = Crossing::new(hits, &covers);
+        let left = crossing.left_of_thin::<MOST>(thin_mm, reach.area_mm2);
         let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
         runs.extend(
-            hits.iter()
-                .map(|hit| hit.cover.as_ref().map_or(0.0, Region::area))
+            covers
+                .iter()
+                .map(|cover| cover.as_ref().map_or(0.0, Region::area))
                 .enumerate(),
         );
         runs.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -249,55 +285,49 @@ impl Shading {
         };
         let first_of_crowd = runs.iter().enumerate().find(full);
         let first_of_crowd = first_of_crowd.map_or(0.0, |(_, run)| run.1);
-        let left = left_of_thin::<MOST>(&hits, thin_mm, reach.area_mm2);
-        let mut crowd = None;
-        if thin_caps {
-            pattern.add_thin_caps(&mut crowd, candidates, reach, thin_mm);
-        }
         for &(i, area) in &runs {
-            let (hit, left) = (&hits[i], left.get(i).copied().flatten());
+            let (hit, left) = (&hits[i], left[i]);
             // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
             let alone = ((area / first_of_crowd - 1.0) / FADE).clamp(0.0, 1.0);
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
+            let gain = single(alone * hit.alone);
+            let whole = reach.area_mm2;
+            let mut add = |parts: &[Region], area_mm2| {
+                let added = self.add(pattern, hit, parts, gain, area_mm2);
+                added.is_some()
+            };
             let added = alone > 0.0
-                && self
-                    .add(pattern, &hits, i, left, single(alone * hit.alone), reach)
-                    .is_some();
+                && if let Some(left) = left {
+                    add(&[hit.region], whole / left)
+                } else {
+                    let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
+                    parts.push(hit.region);
+                    crossing.cut(i, &mut parts, whole) && add(&parts, whole)
+                };
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(Crowd::new);
-                let left = left.unwrap_or_else(|| uncut_share(&hits, i));
+                let left = left.unwrap_or_else(|| crossing.uncut_share(i));
                 pattern.add_run(crowd, hit, reach, rest * area * left * hit.alone);
             }
         }
-        crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, reach))
     }
 
-    /// Adds what is left of run `i`, which is the share `left` of it if that is known, thinned by `gain`; nothing if there
-    /// is no room.
+    /// Adds what is left of a run, `parts` of a footprint of so many mm², thinned by `gain`; nothing if there is no room.
     fn add(
         &mut self,
         pattern: &Pattern,
-        hits: &[Hit<'_>],
-        i: usize,
-        left: Option<f64>,
+        hit: &Hit<'_>,
+        parts: &[Region],
         gain: f32,
-        reach: &Reach<'_>,
+        area_mm2: f64,
     ) -> Option<()> {
-        let hit = &hits[i];
         if self.relief_count as usize == MOST_RELIEFS || !self.zones.has_room(hit.most_vertices()) {
             return None;
         }
         let across = hit.across();
-        let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
-        parts.push(*reach.footprint);
-        let is_held = parts[0].keep(&hit.parting_lines());
-        if !is_held || (left.is_none() && !cut(hits, i, &mut parts, reach.area_mm2)) {
-            return None;
-        }
-        let pixel_area = reach.area_mm2 / left.unwrap_or(1.0);
         let densities = &mut self.zones.densities;
-        let weight = densities.add_regions(&parts, hit.origin, across, pixel_area)?;
+        let weight = densities.add_regions(parts, hit.origin, across, area_mm2)?;
         let mut numbers = [0; MOST_LAYERS + 1];
         for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
             *number = self.zones.finish(&pattern.hosts.found(&finish));
