@@ -178,6 +178,13 @@ pub(crate) trait Lanes: Copy {
     /// Writes [`Self::WIDTH`] of them.
     fn store(self, numbers: Self::F, values: &mut [f32]);
     fn made(self, of: impl FnMut(usize) -> f32) -> Self::F;
+    /// What becomes of three pairs of numbers, looked at together if there are lanes for them.
+    fn of_three(
+        self,
+        first: [f32; 3],
+        second: [f32; 3],
+        of: impl Fn(Self::F, Self::F) -> Self::F,
+    ) -> [f32; 3];
     /// Runs what is too long to be written into its callers.
     fn call<R>(self, work: impl FnOnce() -> R) -> R;
 }
@@ -227,6 +234,11 @@ impl Lanes for One {
     #[inline(always)]
     fn made(self, mut of: impl FnMut(usize) -> f32) -> f32 {
         of(0)
+    }
+
+    #[inline(always)]
+    fn of_three(self, a: [f32; 3], b: [f32; 3], of: impl Fn(f32, f32) -> f32) -> [f32; 3] {
+        [of(a[0], b[0]), of(a[1], b[1]), of(a[2], b[2])]
     }
 
     #[inline(always)]
@@ -286,9 +298,27 @@ impl<S: Simd> Lanes for Eight<S> {
     }
 
     #[inline(always)]
+    fn of_three(
+        self,
+        a: [f32; 3],
+        b: [f32; 3],
+        of: impl Fn(Self::F, Self::F) -> Self::F,
+    ) -> [f32; 3] {
+        let eight = |[x, y, z]: [f32; 3]| f32x8::from_fn(self.0, |i| [x, y, z, z, z, z, z, z][i]);
+        let [x, y, z, ..] = of(eight(a), eight(b)).to_array();
+        [x, y, z]
+    }
+
+    #[inline(always)]
     fn call<R>(self, work: impl FnOnce() -> R) -> R {
         self.0.vectorize(work)
     }
+}
+
+/// Keeps what is done one by one out of the way of what is done in registers.
+#[inline(never)]
+pub(crate) fn apart<R>(work: impl FnOnce() -> R) -> R {
+    work()
 }
 
 /// Does `work` with as many lanes as the processor has; it is compiled once for each.
@@ -310,7 +340,7 @@ macro_rules! in_lanes {
             )
         } else {
             let $lanes = $crate::lanes::One;
-            $work
+            $crate::lanes::apart(|| $work)
         }
     }};
 }
@@ -325,6 +355,16 @@ pub(crate) struct Vector<F> {
 }
 
 impl Vector<f32> {
+    /// The same in each place.
+    #[inline(always)]
+    pub(crate) fn all<L: Lanes>(self, lanes: L) -> Vector<L::F> {
+        Vector {
+            x: lanes.all(self.x),
+            y: lanes.all(self.y),
+            z: lanes.all(self.z),
+        }
+    }
+
     pub(crate) fn to_array(self) -> [f32; 3] {
         [self.x, self.y, self.z]
     }

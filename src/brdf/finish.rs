@@ -264,6 +264,17 @@ impl Finish {
         }
     }
 
+    /// The same of one angle, channels side by side.
+    #[inline(always)]
+    pub(crate) fn colour_in<L: Lanes>(&self, lanes: L, view_half: f32) -> [f32; 3] {
+        let (rgb, k) = (self.rgb, self.k);
+        match self.colour {
+            SCHLICK => Fresnel::Schlick { f0: rgb }.reflectance_in(lanes, view_half),
+            CONDUCTOR => Fresnel::Conductor { eta: rgb, k }.reflectance_in(lanes, view_half),
+            _ => rgb,
+        }
+    }
+
     /// The part that depends on the zone's normal, times n · light; 0 unless both directions are above it.
     pub(crate) fn lobe_cos(&self, normal: Vec3, pair: &Pair) -> f32 {
         self.lobes_cos(One, &pair.tilted(normal.x, normal.z))

@@ -282,7 +282,7 @@ mod tests {
         let mut sums = Reflected::NONE;
         let below = pair.below();
         shading.each_zone(pair, |zone, turned, across| {
-            sums.lobes[zone.finish as usize] += shading.lobe(One, zone, &zone.sees(turned));
+            sums.lobes[zone.finish as usize] += shading.lobe(One, zone, turned);
             sums.density += shading.density(One, zone, turned, &below, across);
             sums.seen += zone.seen;
         });
@@ -291,7 +291,7 @@ mod tests {
 
     /// RGB and density.
     fn answers(shading: &Shading, sums: &Reflected<f32>, pair: &Pair) -> [f32; 4] {
-        let rgb = shading.zones.colour(&sums.lobes, pair.view_half);
+        let rgb = shading.zones.colour(One, &sums.lobes, pair.view_half);
         rgb.extend(sums.pdf()).into()
     }
 
@@ -307,10 +307,13 @@ mod tests {
             let below = pair.below();
             let wanted = answers(&shading, &one_by_one(&shading, &pair), &pair);
             let found = [
-                shading.scratch_sums_in(One, &pair, Some(&below)),
-                in_lanes!(lanes => shading.scratch_sums_in(lanes, &pair, Some(&below))),
+                shading.scratch_sums(One, &pair, Some(&below)),
+                in_lanes!(lanes => shading.scratch_sums(lanes, &pair, Some(&below))),
             ];
-            let found = found.map(|sums| shading.with_surface(sums, &pair, Some(&below)));
+            let found = found.map(|mut sums| {
+                shading.add_surface(&mut sums, &pair, Some(&below));
+                sums
+            });
             for (worst, found) in worst.iter_mut().zip(&found) {
                 for (found, wanted) in answers(&shading, found, &pair).iter().zip(wanted) {
                     let off = (found - wanted).abs() / found.max(wanted).max(1e-4);

@@ -52,7 +52,7 @@ impl Shading {
             let sent = self.sent(relief.slots(), &pair.turned(across));
             let mut add = |zone: &Zone| sum += zone.seen * sent.by_zone(zone);
             self.zones
-                .each_of_relief(One, &mut parts[0], relief, &still.turned(across), &mut add);
+                .each_of_relief(One, relief, &still.turned(across), &mut add);
             for (ends, flat) in sent.by_flats() {
                 sum += self.zones.flat_weight(relief, ends) * flat;
             }

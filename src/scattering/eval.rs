@@ -4,7 +4,7 @@ use super::abreast::{Light, Reflected};
 use super::shading::{LEAST_COS, Shading, direction};
 use super::visibility::Parts;
 use super::visit::Zone;
-use crate::brdf::{ACROSS_SURFACE, Local, Pair};
+use crate::brdf::{ACROSS_SURFACE, Pair};
 use crate::lanes::{Lanes, Number, One, in_lanes};
 use glam::{Vec2, Vec3};
 
@@ -53,13 +53,12 @@ impl Shading {
     #[inline(always)]
     pub(super) fn reflected(&self, pair: &Pair) -> Vec3 {
         // Pairs by value: on the way of most points, which have no scratch, none is written down.
-        let mut sums = if self.is_scratched() {
-            self.scratch_sums(*pair, None)
+        let mut sum = if self.is_scratched() {
+            self.scratched(*pair)
         } else {
-            Reflected::NONE
+            let mut none = Reflected::NONE;
+            self.all_of(One, &mut none, pair, None).0
         };
-        sums.lobes[0] += self.lobe(One, &self.surface(sums.taken), &pair.level());
-        let mut sum = self.zones.colour(&sums.lobes, pair.view_half);
         if self.zones.has_hosted() {
             sum += self.hosted(*pair);
         }
@@ -69,28 +68,41 @@ impl Shading {
         finite(sum)
     }
 
-    /// What all scratches reflect of a light, and how often their zones' samples go there if it is also given `below` the
-    /// surface.
+    /// The same of a point with scratches.
     #[inline(never)]
-    pub(super) fn scratch_sums(&self, pair: Pair, below: Option<&Pair>) -> Reflected<f32> {
-        in_lanes!(lanes => self.scratch_sums_in(lanes, &pair, below))
+    fn scratched(&self, pair: Pair) -> Vec3 {
+        in_lanes!(lanes => {
+            let mut sums = self.scratch_sums(lanes, &pair, None);
+            self.all_of(lanes, &mut sums, &pair, None).0
+        })
     }
 
-    /// The same with the flat surface, of which scratches take what these sums say.
-    pub(super) fn with_surface(
+    /// BRDF times cosine, RGB, and density of all that sums of scratches say and of the flat surface that they leave.
+    #[inline(always)]
+    pub(super) fn all_of<L: Lanes>(
         &self,
-        mut sums: Reflected<f32>,
+        lanes: L,
+        sums: &mut Reflected<f32>,
         pair: &Pair,
         below: Option<&Pair>,
-    ) -> Reflected<f32> {
-        let turned = pair.turned(ACROSS_SURFACE);
-        let surface = self.surface(sums.taken);
-        self.add_zone(One, &mut sums, &surface, (&turned, below, ACROSS_SURFACE));
-        sums
+    ) -> (Vec3, f32) {
+        self.add_surface(sums, pair, below);
+        let colour = self.zones.colour(lanes, &sums.lobes, pair.view_half);
+        (colour, sums.pdf())
     }
 
+    /// Adds to sums of scratches the flat surface, of which they take what they say.
     #[inline(always)]
-    pub(super) fn scratch_sums_in<L: Lanes>(
+    pub(super) fn add_surface(&self, sums: &mut Reflected<f32>, pair: &Pair, below: Option<&Pair>) {
+        let turned = pair.level();
+        let surface = self.surface(sums.taken);
+        self.add_zone(One, sums, &surface, (&turned, below, ACROSS_SURFACE));
+    }
+
+    /// What all scratches reflect of a light, and how often their zones' samples go there if it is also given `below` the
+    /// surface.
+    #[inline(always)]
+    pub(super) fn scratch_sums<L: Lanes>(
         &self,
         lanes: L,
         pair: &Pair,
@@ -123,21 +135,21 @@ impl Shading {
         zone: &Zone<L::F>,
         (turned, below, across): (&Pair, Option<&Pair>, Vec2),
     ) {
-        sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, &zone.sees(turned));
+        sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, turned);
         if let Some(below) = below {
             sums.density += self.density(lanes, zone, turned, below, across);
             sums.seen += zone.seen.sum();
         }
     }
 
-    /// What of a finish's colour lit zones reflect; `pair` is as they see it.
+    /// What of a finish's colour lit zones reflect; `pair` is in the frame of their scratch.
     #[inline(always)]
-    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Local<L::F>) -> f32 {
+    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Pair) -> f32 {
         if !zone.lit.any() {
             return 0.0;
         }
         let finish = self.zones.finish_of(zone.finish);
-        let lobes = finish.lobes_cos(lanes, pair);
+        let lobes = finish.facet_lobes(lanes, pair, zone.normal);
         let none = lanes.all(0.0);
         // Where no light falls a lobe may be anything.
         (zone.lit.if_above(none, zone.lit * lobes, none)).sum()
@@ -169,12 +181,10 @@ impl Shading {
         mut visit: impl FnMut(&Zone<L::F>, &Pair, Vec2),
     ) -> f32 {
         let mut taken = 0.0;
-        let mut parts = Parts::new();
         for relief in self.reliefs() {
             let (across, pair) = (relief.across, pair.turned(relief.across));
             taken += self.zones.each_of_relief(
                 lanes,
-                &mut parts,
                 relief,
                 &pair,
                 #[inline(always)]

@@ -2,11 +2,10 @@
 
 use super::flocks::Flock;
 use super::footprint::{Densities, Weight};
-use super::visibility::{Across, Parts, horizon};
-use super::visit::first_of;
+use super::visibility::{Across, Parts, first_of, horizon, part};
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
-use crate::lanes::{Lanes, Number, in_lanes};
+use crate::lanes::{Lanes, Number, One, in_lanes};
 use crate::pattern::{Hit, Layered, MOST_VERTICES, Pattern};
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
@@ -39,9 +38,9 @@ pub(crate) struct Zones {
     pub(super) z: [f32; ROOM],
     /// Across component of the facet's normal; the upward one follows.
     pub(super) normal_x: [f32; ROOM],
-    /// The part that the viewer sees, from and to, in 65535ths.
-    pub(super) seen_from: [u16; ROOM],
-    pub(super) seen_to: [u16; ROOM],
+    /// Where the part that the viewer sees ends, or begins if he looks from the left, in 65535ths; its other end is the
+    /// facet's own.
+    seen_end: [u16; ROOM],
     /// How much that part weighs in the pixel.
     pub(super) weight: [f32; ROOM],
     /// Which of `finishes` the facet has.
@@ -70,6 +69,10 @@ pub(crate) struct Relief {
     shown: f32,
     /// What of the pixel's plane the viewer sees through this scratch, from and to.
     pub seen_flat: [f32; 2],
+    /// The share of the pixel that this is, before thinning.
+    pub(super) seen_taken: f32,
+    /// Between these slopes of a light nothing of it lies in shadow.
+    open: [f32; 2],
     pub weight: Weight,
 }
 
@@ -79,8 +82,7 @@ impl Zones {
             x: [0.0; ROOM],
             z: [0.0; ROOM],
             normal_x: [0.0; ROOM],
-            seen_from: [0; ROOM],
-            seen_to: [0; ROOM],
+            seen_end: [0; ROOM],
             weight: [0.0; ROOM],
             finish: [0; ROOM],
             finishes: [Finish::BLACK; MOST_FINISHES],
@@ -170,7 +172,7 @@ impl Zones {
         let mut parts = Parts::new();
         let horizon = in_lanes!(lanes => parts.sweep(lanes, &self.x[first..], &self.z[first..], vertices - 1, v));
         let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
-        let ends = [xs[0], xs[vertices - 1]];
+        let [ends, ends_z] = [xs, zs].map(|of| [of[0], of[vertices - 1]]);
         let seen_flat = v.flat_ends(horizon, ends);
         // A shadow may fall into the pixel from a scratch beside it.
         let shadow = LONGEST_SHADOW * zs.iter().copied().fold(0.0, f32::max);
@@ -185,6 +187,8 @@ impl Zones {
             gain: 1.0,
             shown: 0.0,
             seen_flat,
+            seen_taken: self.densities.taken(&weight, seen_flat),
+            open: clearing(ends, ends_z, seen_flat),
             weight,
         };
         in_lanes!(lanes => self.weigh(lanes, &mut relief, &parts, v));
@@ -197,9 +201,9 @@ impl Zones {
     fn weigh<L: Lanes>(&mut self, lanes: L, relief: &mut Relief, parts: &Parts, view: Across) {
         let (first, facets) = (relief.first as usize, relief.facets());
         for k in 0..facets {
-            let [from, to] = parts.of(k).map(packed);
-            (self.seen_from[first + k], self.seen_to[first + k]) = (from, to);
+            self.seen_end[first + k] = packed(parts.end(k));
         }
+        let [mut least, mut most] = relief.open.map(|slope| lanes.all(slope));
         for k in (0..facets).step_by(L::WIDTH) {
             let slot = first + k;
             // Scaled up first: facets of nanometres would underflow when squared.
@@ -210,9 +214,11 @@ impl Zones {
             let normal_x = length.if_above(zero, -z / length, zero);
             // Absurdly large ones have no direction.
             let normal_x = lanes.all(f32::MAX).if_above(length, normal_x, zero);
-            let weight =
-                self.part_weight(lanes, relief, slot, self.seen(lanes, slot), view.x / view.z);
-            let weight = first_of(lanes, facets - k, weight);
+            let [falls, rises] = facing(lanes, facets - k, [x, z]);
+            (least, most) = (least.max(falls), most.min(rises));
+            let seen = self.seen(lanes, slot, view.x >= 0.0);
+            let weight = self.part_weight(lanes, relief, slot, seen, view.x / view.z);
+            let weight = first_of(lanes, facets - k, weight).max(zero);
             relief.shown += weight.sum();
             let own = L::WIDTH.min(facets - k);
             let (mut normals, mut weights) = ([0.0; 8], [0.0; 8]);
@@ -221,6 +227,10 @@ impl Zones {
             self.normal_x[slot..slot + own].copy_from_slice(&normals[..own]);
             self.weight[slot..slot + own].copy_from_slice(&weights[..own]);
         }
+        relief.open = [
+            lanes.most_up_to(least).lane(L::WIDTH - 1),
+            lanes.least_from(most).lane(0),
+        ];
     }
 
     /// From the left end of facets to their right ends, in x and z.
@@ -232,13 +242,10 @@ impl Zones {
         ]
     }
 
-    /// The parts of facets that the viewer sees.
+    /// The parts of facets that a viewer who looks from the right sees, or one who looks from the left.
     #[inline(always)]
-    pub(super) fn seen<L: Lanes>(&self, lanes: L, slot: usize) -> [L::F; 2] {
-        [
-            lanes.load_whole(&self.seen_from[slot..]) / WHOLE,
-            lanes.load_whole(&self.seen_to[slot..]) / WHOLE,
-        ]
+    pub(super) fn seen<L: Lanes>(&self, lanes: L, slot: usize, leftwards: bool) -> [L::F; 2] {
+        part(lanes.load_whole(&self.seen_end[slot..]) / WHOLE, leftwards)
     }
 
     /// How much parts of facets weigh in the pixel: their projection along the view, under the filter.
@@ -265,11 +272,16 @@ impl Zones {
     /// What all zones reflect together, RGB, if this is what each finish's lobes add up to, for light and view of this cosine
     /// to their half vector.
     #[inline(always)]
-    pub(crate) fn colour(&self, lobes: &[f32; MOST_FINISHES], view_half: f32) -> Vec3 {
+    pub(crate) fn colour<L: Lanes>(
+        &self,
+        lanes: L,
+        lobes: &[f32; MOST_FINISHES],
+        view_half: f32,
+    ) -> Vec3 {
         let mut sum = Vec3::ZERO;
         for (finish, &lobe) in self.finishes().iter().zip(lobes) {
             if lobe > 0.0 {
-                sum += Vec3::from(finish.colour(view_half)) * lobe;
+                sum += Vec3::from(finish.colour_in(lanes, view_half)) * lobe;
             }
         }
         sum
@@ -309,7 +321,7 @@ impl Zones {
             let z = self.z[k] + share * (self.z[k + 1] - self.z[k]);
             x - z * view_slope
         };
-        let [from, to] = [self.seen_from[k], self.seen_to[k]].map(unpacked);
+        let [from, to] = self.seen(One, k, view_slope >= 0.0);
         let at = self
             .densities
             .place(&relief.weight, [shown(from), shown(to)], u);
@@ -429,9 +441,29 @@ pub(super) fn packed(share: f32) -> u16 {
     (share * WHOLE + 0.5) as u16
 }
 
-#[inline(always)]
 pub(super) fn unpacked(share: u16) -> f32 {
     f32::from(share) / WHOLE
+}
+
+/// Between which slopes of a light the first `count` facets with these runs, from their left to their right ends, face it.
+#[inline(always)]
+fn facing<L: Lanes>(lanes: L, count: usize, [x, z]: [L::F; 2]) -> [L::F; 2] {
+    let (none, any) = (lanes.all(0.0), lanes.all(f32::INFINITY));
+    let slope = x / z;
+    let (falls, rises) = (none.if_above(z, slope, -any), z.if_above(none, slope, any));
+    [
+        first_of(lanes, count, falls),
+        -first_of(lanes, count, -rises),
+    ]
+}
+
+/// Between which slopes of a light the ends of a cross-section, if they stand up, shade none of the plane that is seen.
+fn clearing(xs: [f32; 2], zs: [f32; 2], seen_flat: [f32; 2]) -> [f32; 2] {
+    let slope = |end: usize, any: f32| match zs[end] {
+        z if z > 0.0 => (xs[end] - seen_flat[end]) / z,
+        _ => any,
+    };
+    [slope(1, f32::NEG_INFINITY), slope(0, f32::INFINITY)]
 }
 
 impl Relief {
@@ -442,8 +474,17 @@ impl Relief {
         gain: 0.0,
         shown: 0.0,
         seen_flat: [0.0; 2],
+        seen_taken: 0.0,
+        open: [0.0; 2],
         weight: Weight::NONE,
     };
+
+    /// Whether nothing of it lies in shadow: each facet faces the light.
+    #[inline(always)]
+    pub(super) fn is_open_to(&self, light: Across) -> bool {
+        let [least, most] = self.open.map(|slope| slope * light.z);
+        least < light.x && light.x < most
+    }
 
     /// How many facets it has.
     pub(crate) fn facets(&self) -> usize {

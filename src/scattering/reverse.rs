@@ -85,11 +85,9 @@ impl Shading {
         if !zone.seen.any() {
             return 0.0;
         }
-        let [x, z] = zone.normal;
         let finish = self.zones.finish_of(zone.finish);
-        let below = below.turned(across);
-        let above = finish.pdfs(lanes, &turned.tilted(x, z));
-        let below = finish.pdfs(lanes, &below.tilted(x, z));
+        let above = finish.facet_pdfs(lanes, turned, zone.normal);
+        let below = finish.facet_pdfs(lanes, &below.turned(across), zone.normal);
         (zone.seen.if_above(none, zone.seen * (above + below), none)).sum()
     }
 }

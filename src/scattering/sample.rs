@@ -10,6 +10,7 @@ use super::visibility::Parts;
 use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
 use crate::error::Result;
+use crate::lanes::{One, in_lanes};
 use glam::{Vec2, Vec3};
 
 /// A light chosen for a view.
@@ -151,18 +152,25 @@ impl Shading {
 
     /// BRDF times cosine of light that meets one zone, and the density with which it is chosen, whatever it meets.
     fn first_bounce(&self, pair: &Pair) -> (Vec3, f32) {
-        let below = pair.below();
-        let sums = if self.is_scratched() {
-            self.scratch_sums(*pair, Some(&below))
+        let (mut brdf_cos, pdf) = if self.is_scratched() {
+            self.scratched_with_density(*pair)
         } else {
-            Reflected::NONE
+            let mut none = Reflected::NONE;
+            self.all_of(One, &mut none, pair, Some(&pair.below()))
         };
-        let sums = self.with_surface(sums, pair, Some(&below));
-        let mut brdf_cos = self.zones.colour(&sums.lobes, pair.view_half);
         if self.zones.has_hosted() {
             brdf_cos += self.hosted(*pair);
         }
-        (brdf_cos, sums.pdf())
+        (brdf_cos, pdf)
+    }
+
+    #[inline(never)]
+    fn scratched_with_density(&self, pair: Pair) -> (Vec3, f32) {
+        in_lanes!(lanes => {
+            let below = pair.below();
+            let mut sums = self.scratch_sums(lanes, &pair, Some(&below));
+            self.all_of(lanes, &mut sums, &pair, Some(&below))
+        })
     }
 
     /// The zone in which the share `u` of all that is seen falls.

@@ -2,8 +2,8 @@
 
 use super::flocks::Flock;
 use super::relief::{Relief, Zones, packed, unpacked};
-use super::visibility::{Across, Part, Parts, first_or};
-use crate::brdf::{Local, Pair};
+use super::visibility::{Across, Part, Parts, first_of};
+use crate::brdf::Pair;
 use crate::lanes::{Lanes, Number, One};
 use glam::Vec3;
 
@@ -39,14 +39,6 @@ impl Zone {
     }
 }
 
-impl<F: Number> Zone<F> {
-    /// A pair in the frame of its scratch as it sees it.
-    #[inline(always)]
-    pub(crate) fn sees(&self, pair: &Pair) -> Local<F> {
-        pair.tilted(self.normal[0], self.normal[1])
-    }
-}
-
 impl Zones {
     /// Visits each zone of a relief that is seen, and returns the share of the pixel's flat surface that it takes from
     /// this light; `pair` is in the relief's frame.
@@ -54,37 +46,109 @@ impl Zones {
     pub(crate) fn each_of_relief<L: Lanes>(
         &self,
         lanes: L,
-        parts: &mut Parts,
         relief: &Relief,
         pair: &Pair,
         mut visit: impl FnMut(&Zone<L::F>),
     ) -> f32 {
-        let (first, facets) = (relief.first as usize, relief.facets());
+        let taken = if relief.is_open_to(Across::of(pair.light)) {
+            self.each_lit(lanes, relief, &mut visit);
+            relief.seen_taken
+        } else {
+            lanes.call(
+                #[inline(always)]
+                || self.each_in_shadow(lanes, relief, pair, &mut visit),
+            )
+        };
+        relief.gain * taken
+    }
+
+    /// Most lights come from above all slopes, so that all that is seen is lit.
+    #[inline(always)]
+    fn each_lit<L: Lanes>(&self, lanes: L, relief: &Relief, visit: &mut impl FnMut(&Zone<L::F>)) {
+        let first = relief.first as usize;
+        self.each_weight(
+            lanes,
+            relief,
+            #[inline(always)]
+            |k, left, weight| {
+                let seen = weight * relief.gain;
+                self.by_finish(lanes, first + k, k, left, [seen, seen], visit);
+            },
+        );
+    }
+
+    /// Finds what shadows leave; returns how much of the flat surface is hidden or dark, before thinning.
+    #[inline(always)]
+    fn each_in_shadow<L: Lanes>(
+        &self,
+        lanes: L,
+        relief: &Relief,
+        pair: &Pair,
+        visit: &mut impl FnMut(&Zone<L::F>),
+    ) -> f32 {
+        let first = relief.first as usize;
         let light = Across::of(pair.light);
         let view_slope = pair.view.x / pair.view.z;
+        let mut parts = Parts::new();
         let (xs, zs) = (&self.x[first..], &self.z[first..]);
-        let horizon = parts.sweep(lanes, xs, zs, facets, light);
-        for k in (0..facets).step_by(L::WIDTH) {
-            let slot = first + k;
-            let weight = first_of(lanes, facets - k, lanes.load(&self.weight[slot..]));
-            if !weight.any() {
-                continue;
-            }
-            let [from, to] = parts.load(lanes, k);
-            let (none, width) = (lanes.all(0.0), to - from);
-            let mut lit = (width - 1.0).if_above(lanes.all(-f32::MIN_POSITIVE), weight, none);
-            let some = weight.if_above(none, width.if_above(none, -width + 1.0, none), none);
-            if some.any() {
-                let [seen_from, seen_to] = self.seen(lanes, slot);
-                let both = [from.max(seen_from), to.min(seen_to)];
-                let part = self.part_weight(lanes, relief, slot, both, view_slope);
-                lit = some.if_above(none, part, lit);
-            }
-            let shares = [weight * relief.gain, lit * relief.gain];
-            self.by_finish(lanes, slot, k, facets - k, shares, &mut visit);
-        }
+        let horizon = parts.sweep(lanes, xs, zs, relief.facets(), light);
+        self.each_weight(
+            lanes,
+            relief,
+            #[inline(always)]
+            |k, left, weight| {
+                let part = parts.load(lanes, k);
+                let lit = self.lit_weight(lanes, relief, first + k, part, weight, view_slope);
+                let shares = [weight * relief.gain, lit * relief.gain];
+                self.by_finish(lanes, first + k, k, left, shares, visit);
+            },
+        );
         let lit_flat = light.flat_ends(horizon, relief.seen_flat);
-        relief.gain * self.densities.taken(&relief.weight, lit_flat)
+        self.densities.taken(&relief.weight, lit_flat)
+    }
+
+    /// Goes through what facets of a relief weigh, as many at a time as there are lanes: the first one's number, how many are
+    /// left from there on, and their weights if any is above 0.
+    #[inline(always)]
+    fn each_weight<L: Lanes>(
+        &self,
+        lanes: L,
+        relief: &Relief,
+        mut visit: impl FnMut(usize, usize, L::F),
+    ) {
+        let (first, facets) = (relief.first as usize, relief.facets());
+        let mut k = 0;
+        while k < facets {
+            let weight = lanes.load(&self.weight[first + k..]);
+            let weight = first_of(lanes, facets - k, weight).max(lanes.all(0.0));
+            if weight.any() {
+                visit(k, facets - k, weight);
+            }
+            k += L::WIDTH;
+        }
+    }
+
+    /// How much facets weigh where they are both lit and seen: these parts of them are lit, and what is seen weighs so much.
+    #[inline(always)]
+    fn lit_weight<L: Lanes>(
+        &self,
+        lanes: L,
+        relief: &Relief,
+        slot: usize,
+        [from, to]: [L::F; 2],
+        weight: L::F,
+        view_slope: f32,
+    ) -> L::F {
+        let (none, width) = (lanes.all(0.0), to - from);
+        let lit = (width - 1.0).if_above(lanes.all(-f32::MIN_POSITIVE), weight, none);
+        let some = weight.if_above(none, width.if_above(none, -width + 1.0, none), none);
+        if !some.any() {
+            return lit;
+        }
+        let [seen_from, seen_to] = self.seen(lanes, slot, view_slope >= 0.0);
+        let both = [from.max(seen_from), to.min(seen_to)];
+        let part = self.part_weight(lanes, relief, slot, both, view_slope);
+        some.if_above(none, part, lit)
     }
 
     /// Visits facets of which `shares` are seen and lit, those of one finish at a time: of `left` at most, from number
@@ -100,35 +164,42 @@ impl Zones {
         visit: &mut impl FnMut(&Zone<L::F>),
     ) {
         let numbers = &self.finish[slot..slot + L::WIDTH.min(left)];
-        let same = |i: usize, number: u8| i >= left || number == numbers[0];
-        let places = self.finish[slot..slot + L::WIDTH].iter().enumerate();
-        // Without a way out: eight are compared at once.
-        let alike = places.fold(true, |alike, (i, &number)| alike & same(i, number));
+        let alike = L::WIDTH == 1 || self.is_alike(slot, left);
         let x = lanes.load(&self.normal_x[slot..]);
         let normal = [x, (-(x * x) + 1.0).max(lanes.all(0.0)).sqrt()];
-        let kinds = if alike { 1 } else { numbers.len() };
-        for (i, &finish) in numbers[..kinds].iter().enumerate() {
-            if numbers[..i].contains(&finish) {
-                continue;
-            }
-            let (none, mut own) = (lanes.all(0.0), lanes.all(1.0));
-            if !alike {
-                own = lanes.made(|i| {
-                    if numbers.get(i) == Some(&finish) {
-                        1.0
-                    } else {
-                        0.0
-                    }
-                });
-            }
-            visit(&Zone {
+        let mut next = Some(0);
+        while let Some(first) = next {
+            let finish = numbers[first];
+            let mut zone = Zone {
                 facet: Some(facet),
                 normal,
                 finish,
-                seen: own.if_above(none, seen, none),
-                lit: own.if_above(none, lit, none),
-            });
+                seen,
+                lit,
+            };
+            next = None;
+            if !alike {
+                let own = lanes.made(|i| f32::from(u8::from(numbers.get(i) == Some(&finish))));
+                let none = lanes.all(0.0);
+                zone.seen = own.if_above(none, seen, none);
+                zone.lit = own.if_above(none, lit, none);
+                let is_new = |i: &usize| !numbers[..*i].contains(&numbers[*i]);
+                next = (first + 1..numbers.len()).find(is_new);
+            }
+            visit(&zone);
         }
+    }
+
+    /// Whether eight facets, or as many as are left, have one finish: all are compared at once.
+    #[inline(always)]
+    fn is_alike(&self, slot: usize, left: usize) -> bool {
+        const EACH: u64 = u64::from_le_bytes([1; 8]);
+        let Some(numbers) = self.finish[slot..].first_chunk() else {
+            return false;
+        };
+        let numbers = u64::from_le_bytes(*numbers);
+        let others = numbers ^ ((numbers & 0xff) * EACH);
+        others << (8 * (8 - left.min(8))) == 0
     }
 
     /// Visits each zone of a relief that the viewer sees, lit wherever it is seen.
@@ -193,10 +264,4 @@ impl Zones {
         let [from, to] = light.flat_ends(horizon, seen_flat);
         flock.share * (to - from)
     }
-}
-
-/// The first `count` numbers, and 0 in place of the others.
-#[inline(always)]
-pub(super) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
-    first_or(lanes, count, numbers, 0.0)
 }
