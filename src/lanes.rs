@@ -155,8 +155,9 @@ impl<S: Simd> Number for f32x8<S> {
 
     #[inline(always)]
     fn sum(self) -> f32 {
-        let [a, b, c, d, e, f, g, h] = self.to_array();
-        ((a + b) + (c + d)) + ((e + f) + (g + h))
+        let (low, high) = self.split();
+        let [a, b, c, d] = (low + high).to_array();
+        (a + c) + (b + d)
     }
 }
 
@@ -304,8 +305,9 @@ impl<S: Simd> Lanes for Eight<S> {
         b: [f32; 3],
         of: impl Fn(Self::F, Self::F) -> Self::F,
     ) -> [f32; 3] {
-        let eight = |[x, y, z]: [f32; 3]| f32x8::from_fn(self.0, |i| [x, y, z, z, z, z, z, z][i]);
-        let [x, y, z, ..] = of(eight(a), eight(b)).to_array();
+        let eight = |[x, y, z]: [f32; 3]| [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let (a, b) = (eight(a), eight(b));
+        let [x, y, z, ..] = of(self.load(&a), self.load(&b)).to_array();
         [x, y, z]
     }
 

@@ -137,18 +137,19 @@ fn above<F: Number>(w: &Vector<F>, normal: [F; 2]) -> F {
     cos(w, normal).max(w.x.like(LEAST_COS))
 }
 
-/// A microfacet's normal, as often as the view sees it (Dupuy and Benyoub 2023, "Sampling visible GGX normals with
-/// spherical caps").
+/// A microfacet's normal, of any length, as often as the view sees it (Dupuy and Benyoub 2023, "Sampling visible GGX
+/// normals with spherical caps").
+#[inline(always)]
 pub(super) fn sample(alpha: Vec2, u: [f32; 2], view: Vec3) -> Vec3 {
     let stretch = alpha.extend(1.0);
-    let view = (view * stretch).normalize_or_zero();
+    let view = (view * stretch).normalize();
     // Near the cap's pole the sine has no digits left in 1 - z².
     let below_pole = u[1] * (1.0 + view.z);
     let z = 1.0 - below_pole;
     let sin = (below_pole * (2.0 - below_pole)).max(0.0).sqrt();
     let (sin_azimuth, cos_azimuth) = (TAU * u[0]).sin_cos();
     let cap = Vec3::new(sin * cos_azimuth, sin * sin_azimuth, z);
-    ((cap + view) * stretch).normalize_or_zero()
+    (cap + view) * stretch
 }
 
 /// The density of [`sample`] mirrored to lights, per steradian.

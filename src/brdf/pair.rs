@@ -71,6 +71,17 @@ impl Pair {
         Self::new(self.view, self.light * Vec3::new(1.0, 1.0, -1.0))
     }
 
+    /// In the frame of a scratch, which this pair is in, what [`Self::below`] makes of the pair in the local frame: view and
+    /// light differ in nothing from this one's but the light's sign.
+    #[inline(always)]
+    pub(crate) fn below_turned(&self, below: &Self, across: Vec2) -> Self {
+        Self {
+            view: self.view,
+            light: self.light * Vec3::new(1.0, 1.0, -1.0),
+            ..below.turned(across)
+        }
+    }
+
     /// The same pair, component by component.
     #[inline(always)]
     pub(crate) fn local(&self) -> Local<f32> {

@@ -24,9 +24,8 @@ pub(super) struct Reflected<F> {
     pub lobes: [F; MOST_FINISHES],
     /// What of the flat surface they take from the light.
     pub taken: F,
-    /// How often their zones' samples go to the light, where that is asked for; and how much of them is seen.
+    /// How often their zones' samples go to the light, where that is asked for.
     pub density: F,
-    pub seen: F,
 }
 
 impl Light {
@@ -47,18 +46,7 @@ impl Reflected<f32> {
         lobes: [0.0; MOST_FINISHES],
         taken: 0.0,
         density: 0.0,
-        seen: 0.0,
     };
-
-    /// With what density samples go to the light: the mean of what is seen.
-    pub(super) fn pdf(&self) -> f32 {
-        let pdf = if self.seen > 0.0 {
-            self.density / self.seen
-        } else {
-            0.0
-        };
-        if pdf.is_finite() { pdf } else { 0.0 }
-    }
 }
 
 impl<F: Number> Reflected<F> {
@@ -69,7 +57,6 @@ impl<F: Number> Reflected<F> {
             lobes: [none; MOST_FINISHES],
             taken: none,
             density: none,
-            seen: none,
         }
     }
 
@@ -84,7 +71,6 @@ impl<F: Number> Reflected<F> {
             lobes,
             taken: self.taken.sum(),
             density: self.density.sum(),
-            seen: self.seen.sum(),
         }
     }
 }
@@ -146,7 +132,6 @@ impl Shading {
             if let Some(below) = &light.below {
                 let below = below.turned_each(flocks.across);
                 self.add_densities(lanes, section, [&pair, &below], shown, &widths.seen, sums);
-                sums.seen = shown.times_plus(all, sums.seen);
             }
         }
     }
@@ -284,7 +269,6 @@ mod tests {
         shading.each_zone(pair, |zone, turned, across| {
             sums.lobes[zone.finish as usize] += shading.lobe(One, zone, turned);
             sums.density += shading.density(One, zone, turned, &below, across);
-            sums.seen += zone.seen;
         });
         sums
     }
@@ -292,7 +276,7 @@ mod tests {
     /// RGB and density.
     fn answers(shading: &Shading, sums: &Reflected<f32>, pair: &Pair) -> [f32; 4] {
         let rgb = shading.zones.colour(One, &sums.lobes, pair.view_half);
-        rgb.extend(sums.pdf()).into()
+        rgb.extend(shading.mean(sums.density)).into()
     }
 
     /// Flocks side by side reflect and are chosen as each does by itself: registers that are not full, cross-sections that

@@ -18,8 +18,6 @@ struct Sums<F> {
     taken: F,
     /// How often zones' samples go to the light, where that is asked for.
     density: F,
-    /// How much of all is seen.
-    seen: f32,
 }
 
 impl<F: Number> Sums<F> {
@@ -34,7 +32,6 @@ impl<F: Number> Sums<F> {
             lobes,
             taken: lanes.made(|i| flocks[i].taken),
             density: lanes.made(|i| flocks[i].density),
-            seen: flocks[0].seen,
         }
     }
 }
@@ -123,10 +120,8 @@ impl Shading {
         for rgb in &mut found[..L::WIDTH] {
             *rgb = finite(*rgb);
         }
-        let seen = sums.seen;
         sums.density.each(|lane, density| {
-            let pdf = if seen > 0.0 { density / seen } else { 0.0 };
-            densities[lane] = if pdf.is_finite() { pdf } else { 0.0 };
+            densities[lane] = self.mean(density);
             density
         });
     }
@@ -234,7 +229,6 @@ impl Shading {
         let above = finish.pdfs(lanes, &pairs.tilted(facet.normal));
         let below = finish.pdfs(lanes, &below.tilted(facet.normal));
         sums.density = sums.density + (above + below) * facet.seen;
-        sums.seen += facet.seen;
     }
 }
 

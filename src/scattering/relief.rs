@@ -2,7 +2,7 @@
 
 use super::flocks::Flock;
 use super::footprint::{Densities, Weight};
-use super::visibility::{Across, Parts, first_of, horizon, part};
+use super::visibility::{Across, Parts, first_below_any, first_of, horizon, part};
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
 use crate::lanes::{Lanes, Number, One, in_lanes};
@@ -73,6 +73,10 @@ pub(crate) struct Relief {
     pub(super) seen_taken: f32,
     /// Between these slopes of a light nothing of it lies in shadow.
     open: [f32; 2],
+    /// The first facet that weighs anything in the pixel, and the one after the last.
+    seen_facets: [u8; 2],
+    /// 1 if those from the one to the other have one finish.
+    is_uniform: u8,
     pub weight: Weight,
 }
 
@@ -185,11 +189,11 @@ impl Zones {
             first: self.used,
             vertices: u32::try_from(vertices).unwrap_or(0),
             gain: 1.0,
-            shown: 0.0,
             seen_flat,
             seen_taken: self.densities.taken(&weight, seen_flat),
             open: clearing(ends, ends_z, seen_flat),
             weight,
+            ..Relief::NONE
         };
         in_lanes!(lanes => self.weigh(lanes, &mut relief, &parts, v));
         self.used += relief.vertices;
@@ -218,7 +222,7 @@ impl Zones {
             (least, most) = (least.max(falls), most.min(rises));
             let seen = self.seen(lanes, slot, view.x >= 0.0);
             let weight = self.part_weight(lanes, relief, slot, seen, view.x / view.z);
-            let weight = first_of(lanes, facets - k, weight).max(zero);
+            let weight = first_of(lanes, facets - k, weight);
             relief.shown += weight.sum();
             let own = L::WIDTH.min(facets - k);
             let (mut normals, mut weights) = ([0.0; 8], [0.0; 8]);
@@ -231,6 +235,20 @@ impl Zones {
             lanes.most_up_to(least).lane(L::WIDTH - 1),
             lanes.least_from(most).lane(0),
         ];
+        self.note_seen_facets(relief);
+    }
+
+    fn note_seen_facets(&self, relief: &mut Relief) {
+        let first = relief.first as usize;
+        let weights = &self.weight[first..first + relief.facets()];
+        let Some(from) = weights.iter().position(|&weight| weight > 0.0) else {
+            return;
+        };
+        let last = weights.iter().rposition(|&weight| weight > 0.0);
+        let to = last.map_or(from, |last| last + 1);
+        let finishes = &self.finish[first + from..first + to];
+        relief.seen_facets = [from, to].map(|facet| u8::try_from(facet).unwrap_or(u8::MAX));
+        relief.is_uniform = finishes.iter().all(|finish| *finish == finishes[0]).into();
     }
 
     /// From the left end of facets to their right ends, in x and z.
@@ -452,8 +470,8 @@ fn facing<L: Lanes>(lanes: L, count: usize, [x, z]: [L::F; 2]) -> [L::F; 2] {
     let slope = x / z;
     let (falls, rises) = (none.if_above(z, slope, -any), z.if_above(none, slope, any));
     [
-        first_of(lanes, count, falls),
-        -first_of(lanes, count, -rises),
+        first_below_any(lanes, count, falls),
+        -first_below_any(lanes, count, -rises),
     ]
 }
 
@@ -476,6 +494,8 @@ impl Relief {
         seen_flat: [0.0; 2],
         seen_taken: 0.0,
         open: [0.0; 2],
+        seen_facets: [0; 2],
+        is_uniform: 0,
         weight: Weight::NONE,
     };
 
@@ -489,6 +509,18 @@ impl Relief {
     /// How many facets it has.
     pub(crate) fn facets(&self) -> usize {
         (self.vertices as usize).saturating_sub(1)
+    }
+
+    /// The first facet that weighs anything in the pixel, and the one after the last.
+    #[inline(always)]
+    pub(super) fn seen_facets(&self) -> [usize; 2] {
+        self.seen_facets.map(usize::from)
+    }
+
+    /// Whether those from the one to the other have one finish.
+    #[inline(always)]
+    pub(super) fn is_uniform(&self) -> bool {
+        self.is_uniform == 1
     }
 
     /// Where its values are kept.

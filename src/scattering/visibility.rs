@@ -119,8 +119,8 @@ impl Parts {
             let next = w.keys(lanes, &xs[k + 1..], &zs[k + 1..]);
             let near = if LEFTWARDS { next } else { key };
             let near = match LEFTWARDS {
-                true => -first_of(lanes, facets - k, -near),
-                false => first_of(lanes, facets - k, near),
+                true => -first_below_any(lanes, facets - k, -near),
+                false => first_below_any(lanes, facets - k, near),
             };
             let horizons = match LEFTWARDS {
                 true => lanes.least_from(near).min(lanes.all(horizon)),
@@ -165,24 +165,32 @@ pub(super) fn part<F: Number>(end: F, leftwards: bool) -> [F; 2] {
     }
 }
 
-/// What all numbers are below, as often as there are lanes, then what none is below, as often.
-const FIRST: [f32; 16] = {
-    let mut first = [f32::INFINITY; 16];
-    let mut i = 8;
-    while i < 16 {
-        first[i] = f32::NEG_INFINITY;
-        i += 1;
-    }
-    first
-};
+/// The first `count` numbers, none of which is below 0, and 0 in place of those after them.
+#[inline(always)]
+pub(super) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+    up_to(lanes, count, numbers, const { &bounds(0.0) })
+}
 
 /// The first `count` numbers, and what none is below in place of those after them.
 #[inline(always)]
-pub(super) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+pub(super) fn first_below_any<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+    up_to(lanes, count, numbers, const { &bounds(f32::NEG_INFINITY) })
+}
+
+/// Any number's bound as often as there are lanes, then another one's.
+const fn bounds(last: f32) -> [f32; 16] {
+    let any = f32::INFINITY;
+    [
+        any, any, any, any, any, any, any, any, last, last, last, last, last, last, last, last,
+    ]
+}
+
+#[inline(always)]
+fn up_to<L: Lanes>(lanes: L, count: usize, numbers: L::F, bounds: &[f32; 16]) -> L::F {
     if count >= L::WIDTH {
         return numbers;
     }
-    numbers.min(lanes.load(&FIRST[8 - count.min(8)..]))
+    numbers.min(lanes.load(&bounds[8 - count.min(8)..]))
 }
 
 #[cfg(test)]

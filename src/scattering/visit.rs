@@ -72,7 +72,8 @@ impl Zones {
             #[inline(always)]
             |k, left, weight| {
                 let seen = weight * relief.gain;
-                self.by_finish(lanes, first + k, k, left, [seen, seen], visit);
+                let places = [first + k, k, left];
+                self.by_finish(lanes, relief.is_uniform(), places, [seen, seen], visit);
             },
         );
     }
@@ -100,7 +101,8 @@ impl Zones {
                 let part = parts.load(lanes, k);
                 let lit = self.lit_weight(lanes, relief, first + k, part, weight, view_slope);
                 let shares = [weight * relief.gain, lit * relief.gain];
-                self.by_finish(lanes, first + k, k, left, shares, visit);
+                let places = [first + k, k, left];
+                self.by_finish(lanes, relief.is_uniform(), places, shares, visit);
             },
         );
         let lit_flat = light.flat_ends(horizon, relief.seen_flat);
@@ -108,7 +110,7 @@ impl Zones {
     }
 
     /// Goes through what facets of a relief weigh, as many at a time as there are lanes: the first one's number, how many are
-    /// left from there on, and their weights if any is above 0.
+    /// left from there on, and their weights.
     #[inline(always)]
     fn each_weight<L: Lanes>(
         &self,
@@ -116,14 +118,11 @@ impl Zones {
         relief: &Relief,
         mut visit: impl FnMut(usize, usize, L::F),
     ) {
-        let (first, facets) = (relief.first as usize, relief.facets());
-        let mut k = 0;
-        while k < facets {
+        let first = relief.first as usize;
+        let [mut k, end] = relief.seen_facets();
+        while k < end {
             let weight = lanes.load(&self.weight[first + k..]);
-            let weight = first_of(lanes, facets - k, weight).max(lanes.all(0.0));
-            if weight.any() {
-                visit(k, facets - k, weight);
-            }
+            visit(k, end - k, first_of(lanes, end - k, weight));
             k += L::WIDTH;
         }
     }
@@ -151,20 +150,19 @@ impl Zones {
         some.if_above(none, part, lit)
     }
 
-    /// Visits facets of which `shares` are seen and lit, those of one finish at a time: of `left` at most, from number
-    /// `facet` on, which has this slot.
+    /// Visits facets of which `shares` are seen and lit, those of one finish at a time, unless all have the same: of `left` at
+    /// most, from number `facet` on, which has this slot.
     #[inline(always)]
     fn by_finish<L: Lanes>(
         &self,
         lanes: L,
-        slot: usize,
-        facet: usize,
-        left: usize,
+        is_uniform: bool,
+        [slot, facet, left]: [usize; 3],
         [seen, lit]: [L::F; 2],
         visit: &mut impl FnMut(&Zone<L::F>),
     ) {
         let numbers = &self.finish[slot..slot + L::WIDTH.min(left)];
-        let alike = L::WIDTH == 1 || self.is_alike(slot, left);
+        let alike = L::WIDTH == 1 || is_uniform;
         let x = lanes.load(&self.normal_x[slot..]);
         let normal = [x, (-(x * x) + 1.0).max(lanes.all(0.0)).sqrt()];
         let mut next = Some(0);
@@ -190,26 +188,30 @@ impl Zones {
         }
     }
 
-    /// Whether eight facets, or as many as are left, have one finish: all are compared at once.
+    /// The zone of a relief in which this share of all that the viewer sees of it falls.
     #[inline(always)]
-    fn is_alike(&self, slot: usize, left: usize) -> bool {
-        const EACH: u64 = u64::from_le_bytes([1; 8]);
-        let Some(numbers) = self.finish[slot..].first_chunk() else {
-            return false;
-        };
-        let numbers = u64::from_le_bytes(*numbers);
-        let others = numbers ^ ((numbers & 0xff) * EACH);
-        others << (8 * (8 - left.min(8))) == 0
-    }
-
-    /// Visits each zone of a relief that the viewer sees, lit wherever it is seen.
-    pub(crate) fn each_seen(&self, relief: &Relief, mut visit: impl FnMut(&Zone)) {
+    pub(crate) fn seen_at(&self, relief: &Relief, mut share: f32) -> Zone {
+        let [from, to] = relief.seen_facets();
+        let (mut facet, mut seen) = (from, 0.0);
         let first = relief.first as usize;
-        for k in 0..relief.facets() {
-            let share = relief.gain * self.weight[first + k];
-            if share > 0.0 {
-                self.by_finish(One, first + k, k, 1, [share; 2], &mut visit);
+        for (k, &weight) in (from..to).zip(&self.weight[first + from..first + to]) {
+            let own = relief.gain * weight;
+            if own > 0.0 {
+                (facet, seen) = (k, own);
+                if share < own {
+                    break;
+                }
+                share -= own;
             }
+        }
+        let slot = first + facet;
+        let x = self.normal_x[slot];
+        Zone {
+            facet: Some(facet),
+            normal: [x, (1.0 - x * x).max(0.0).sqrt()],
+            finish: self.finish[slot],
+            seen,
+            lit: seen,
         }
     }
 
@@ -225,7 +227,7 @@ impl Zones {
             let weight = self.part_weight(One, relief, first + k, part, from.x / from.z);
             if weight > 0.0 {
                 let share = relief.gain * weight;
-                self.by_finish(One, first + k, k, 1, [share; 2], &mut visit);
+                self.by_finish(One, true, [first + k, k, 1], [share; 2], &mut visit);
             }
         }
     }
@@ -258,10 +260,79 @@ impl Zones {
             let seen = width(k, seen);
             if seen > 0.0 {
                 let shares = [seen * shown, width(k, both) * flock.share];
-                self.by_finish(One, first + k, k, 1, shares, &mut visit);
+                self.by_finish(One, true, [first + k, k, 1], shares, &mut visit);
             }
         }
         let [from, to] = light.flat_ends(horizon, seen_flat);
         flock.share * (to - from)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::Region;
+    use glam::{DVec2, Vec2};
+    use rand::rngs::StdRng;
+    use rand::{Rng, SeedableRng};
+
+    /// A scratch with walls on either side, whose ends may stand up, in a pixel that holds all of it or a part.
+    fn scratch(random: &mut StdRng, view: Vec3) -> Option<(Zones, Relief)> {
+        let mut zones = Zones::empty();
+        let steepness = random.random_range(0.0..1.0);
+        let mut points: Vec<[f32; 2]> = (0..random.random_range(2..=30))
+            .map(|k| [k as f32 * 0.1, random.random_range(-0.1..0.05) * steepness])
+            .collect();
+        if random.random() {
+            (points[0][1], points.last_mut()?[1]) = (0.0, 0.0);
+        }
+        let pixel = Region::parallelogram(
+            DVec2::new(random.random_range(0.1..3.0), 0.0),
+            DVec2::new(0.1, 1.0),
+        );
+        let origin = DVec2::new(random.random_range(-3.0..1.0), 0.0);
+        let densities = &mut zones.densities;
+        let weight = densities.add_regions(&[pixel], origin, DVec2::X, pixel.area())?;
+        let vertices = zones.place_points(&points, &vec![0; points.len()]);
+        let relief = zones.prepare(vertices, Vec2::X, weight, view)?;
+        Some((zones, relief))
+    }
+
+    fn across(slope: f32) -> Vec3 {
+        Vec3::new(slope, 0.0, 1.0).normalize()
+    }
+
+    /// To a light from above all slopes nothing lies in shadow: looking for shadows finds none, on facets or beside the
+    /// scratch, right up to the slope from which on there are some.
+    #[test]
+    fn open_scratches_have_no_shadow() {
+        let mut random = StdRng::seed_from_u64(3);
+        let (mut open, mut shut) = (0, 0);
+        for _ in 0..4000 {
+            let view = across(random.random_range(-3.0..3.0));
+            let Some((zones, relief)) = scratch(&mut random, view) else {
+                continue;
+            };
+            let pair = Pair::new(view, across(random.random_range(-4.0..4.0)));
+            let (mut lit, mut found) = (Vec::new(), Vec::new());
+            zones.each_lit(One, &relief, &mut |zone| lit.push((zone.facet, zone.lit)));
+            let taken = zones.each_in_shadow(One, &relief, &pair, &mut |zone| {
+                found.push((zone.facet, zone.lit));
+            });
+            let differs = |(a, b): (&(_, f32), &(_, f32))| (a.1 - b.1).abs() > 1e-5;
+            let in_shadow = (taken - relief.seen_taken).abs() > 1e-5
+                || lit.len() != found.len()
+                || lit.iter().zip(&found).any(differs);
+            if relief.is_open_to(Across::of(pair.light)) {
+                assert!(
+                    !in_shadow,
+                    "{relief:?}, {pair:?}: {lit:?} against {found:?}"
+                );
+                open += 1;
+            } else {
+                shut += u32::from(in_shadow);
+            }
+        }
+        assert!(open > 300 && shut > 300, "{open} open, {shut} in shadow");
     }
 }

@@ -59,6 +59,34 @@ impl Finish {
         }
     }
 
+    /// Both; the density together with that at the light of another pair of the same view. What they share is found once.
+    #[inline(always)]
+    pub(crate) fn facet_lobes_and_pdfs<L: Lanes>(
+        &self,
+        lanes: L,
+        [pair, other]: [&Pair; 2],
+        normal: [L::F; 2],
+    ) -> [L::F; 2] {
+        match self.lobe {
+            GGX | ANISOTROPIC_GGX => {
+                let alphas = self.alphas();
+                let tilting = ggx::Tilting::new(alphas, &pair.local()).all(lanes);
+                let other = ggx::Tilting::new(alphas, &other.local()).all(lanes);
+                // What depends on the view alone is the same in both.
+                let pdfs = tilting.pdf(normal) + other.pdf(normal);
+                [tilting.lobe_cos(normal), pdfs].map(
+                    #[inline(always)]
+                    |of| of * tilting.scale,
+                )
+            }
+            _ => {
+                let pdfs =
+                    self.facet_pdfs(lanes, pair, normal) + self.facet_pdfs(lanes, other, normal);
+                [self.facet_lobes(lanes, pair, normal), pdfs]
+            }
+        }
+    }
+
     /// What facets with these normals reflect together, so much of each being lit; the pair in the frames of their scratches.
     #[inline(always)]
     pub(crate) fn lit_lobes<L: Lanes>(
