@@ -155,8 +155,9 @@ impl<S: Simd> Number for f32x8<S> {
 
     #[inline(always)]
     fn sum(self) -> f32 {
-        let [a, b, c, d, e, f, g, h] = self.to_array();
-        ((a + b) + (c + d)) + ((e + f) + (g + h))
+        let (low, high) = self.split();
+        let [a, b, c, d] = (low + high).to_array();
+        (a + c) + (b + d)
     }
 }
 
@@ -178,6 +179,13 @@ pub(crate) trait Lanes: Copy {
     /// Writes [`Self::WIDTH`] of them.
     fn store(self, numbers: Self::F, values: &mut [f32]);
     fn made(self, of: impl FnMut(usize) -> f32) -> Self::F;
+    /// What becomes of three pairs of numbers, looked at together if there are lanes for them.
+    fn of_three(
+        self,
+        first: [f32; 3],
+        second: [f32; 3],
+        of: impl Fn(Self::F, Self::F) -> Self::F,
+    ) -> [f32; 3];
     /// Runs what is too long to be written into its callers.
     fn call<R>(self, work: impl FnOnce() -> R) -> R;
 }
@@ -227,6 +235,11 @@ impl Lanes for One {
     #[inline(always)]
     fn made(self, mut of: impl FnMut(usize) -> f32) -> f32 {
         of(0)
+    }
+
+    #[inline(always)]
+    fn of_three(self, a: [f32; 3], b: [f32; 3], of: impl Fn(f32, f32) -> f32) -> [f32; 3] {
+        [of(a[0], b[0]), of(a[1], b[1]), of(a[2], b[2])]
     }
 
     #[inline(always)]
@@ -286,9 +299,28 @@ impl<S: Simd> Lanes for Eight<S> {
     }
 
     #[inline(always)]
+    fn of_three(
+        self,
+        a: [f32; 3],
+        b: [f32; 3],
+        of: impl Fn(Self::F, Self::F) -> Self::F,
+    ) -> [f32; 3] {
+        let eight = |[x, y, z]: [f32; 3]| [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let (a, b) = (eight(a), eight(b));
+        let [x, y, z, ..] = of(self.load(&a), self.load(&b)).to_array();
+        [x, y, z]
+    }
+
+    #[inline(always)]
     fn call<R>(self, work: impl FnOnce() -> R) -> R {
         self.0.vectorize(work)
     }
+}
+
+/// Keeps what is done one by one out of the way of what is done in registers.
+#[inline(never)]
+pub(crate) fn apart<R>(work: impl FnOnce() -> R) -> R {
+    work()
 }
 
 /// Does `work` with as many lanes as the processor has; it is compiled once for each.
@@ -310,7 +342,7 @@ macro_rules! in_lanes {
             )
         } else {
             let $lanes = $crate::lanes::One;
-            $work
+            $crate::lanes::apart(|| $work)
         }
     }};
 }
@@ -325,6 +357,16 @@ pub(crate) struct Vector<F> {
 }
 
 impl Vector<f32> {
+    /// The same in each place.
+    #[inline(always)]
+    pub(crate) fn all<L: Lanes>(self, lanes: L) -> Vector<L::F> {
+        Vector {
+            x: lanes.all(self.x),
+            y: lanes.all(self.y),
+            z: lanes.all(self.z),
+        }
+    }
+
     pub(crate) fn to_array(self) -> [f32; 3] {
         [self.x, self.y, self.z]
     }

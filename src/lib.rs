@@ -70,7 +70,9 @@ pub(crate) fn unit(v: [f32; 3]) -> Option<glam::DVec3> {
     if excess.abs() < 1e-5 {
         return Some(v * (1.0 - 0.5 * excess));
     }
-    v.try_normalize()
+    let by = 1.0 / v.length();
+    // False of NaN too.
+    (by > 0.0 && by < f64::INFINITY).then(|| v * by)
 }
 
 /// The one place where building precision becomes shading precision.

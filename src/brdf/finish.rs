@@ -264,6 +264,17 @@ impl Finish {
         }
     }
 
+    /// The same of one angle, channels side by side.
+    #[inline(always)]
+    pub(crate) fn colour_in<L: Lanes>(&self, lanes: L, view_half: f32) -> [f32; 3] {
+        let (rgb, k) = (self.rgb, self.k);
+        match self.colour {
+            SCHLICK => Fresnel::Schlick { f0: rgb }.reflectance_in(lanes, view_half),
+            CONDUCTOR => Fresnel::Conductor { eta: rgb, k }.reflectance_in(lanes, view_half),
+            _ => rgb,
+        }
+    }
+
     /// The part that depends on the zone's normal, times n · light; 0 unless both directions are above it.
     pub(crate) fn lobe_cos(&self, normal: Vec3, pair: &Pair) -> f32 {
         self.lobes_cos(One, &pair.tilted(normal.x, normal.z))
@@ -364,12 +375,14 @@ impl Finish {
     }
 
     /// The same, also where the light falls below the zone, from where it reflects nothing.
+    #[inline(always)]
     pub(crate) fn sample_all(&self, u: [f32; 2], normal: Vec3, view: Vec3) -> Option<Vec3> {
         let view = onto_zone(normal, view);
         if !is_above(view) {
             return None;
         }
-        let mirrored = |half: Vec3| (half * (2.0 * view.dot(half)) - view).normalize_or_zero();
+        // At a half vector of any length.
+        let mirrored = |half: Vec3| half * (2.0 * view.dot(half) / half.length_squared()) - view;
         let light = match self.lobe {
             GGX | ANISOTROPIC_GGX => mirrored(ggx::sample(self.alphas(), u, view)),
             BECKMANN => mirrored(beckmann::sample(self.alpha, u, view)),
@@ -378,7 +391,7 @@ impl Finish {
             HOSTED_DIFFUSE | HOSTED_GLOSSY => hosted::sample(self.colour, u, view)?,
             _ => lambert::sample(u),
         };
-        light.is_finite().then(|| off_zone(normal, light))
+        is_finite(light).then(|| off_zone(normal, light))
     }
 
     /// The density of [`Self::sample`] at the pair's light, per steradian; 0 unless both directions are above the
@@ -449,6 +462,13 @@ fn hammersley(i: u32) -> [f32; 2] {
 #[inline(always)]
 pub(super) fn if_above<F: Number>(cos: F, value: F) -> F {
     cos.if_above(cos.like(LEAST_COS), value, cos.like(0.0))
+}
+
+/// What is no number is none however often it is taken, even not at all.
+#[inline(always)]
+pub(crate) fn is_finite(v: Vec3) -> bool {
+    let [x, y, z] = (v * 0.0).to_array();
+    x + y + z == 0.0
 }
 
 fn is_above(direction: Vec3) -> bool {

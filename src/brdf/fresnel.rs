@@ -2,7 +2,7 @@
 
 use super::Metal;
 use crate::error::{Result, rgb_in_range};
-use crate::lanes::Number;
+use crate::lanes::{Lanes, Number};
 
 /// How much a microfacet reflects, per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,34 +41,48 @@ impl Fresnel {
         Ok(self)
     }
 
-    /// Reflectance at an angle whose cosine is `cos` (0 to 1), per channel.
+    /// Reflectance at angles whose cosines are `cos` (0 to 1), per channel.
     #[inline(always)]
     pub(crate) fn reflectance<F: Number>(&self, cos: F) -> [F; 3] {
         match *self {
-            Self::Schlick { f0 } => {
-                let m = -cos + 1.0;
-                let m2 = m * m;
-                let m5 = m2 * m2 * m;
-                let [r, g, b] = f0;
-                [m5 * (1.0 - r) + r, m5 * (1.0 - g) + g, m5 * (1.0 - b) + b]
-            }
-            Self::Conductor { eta, k } => [
-                conductor(cos, eta[0], k[0]),
-                conductor(cos, eta[1], k[1]),
-                conductor(cos, eta[2], k[2]),
-            ],
+            Self::Schlick { f0 } => f0.map(|f0| schlick(cos, f0)),
+            Self::Conductor { eta, k } => [0, 1, 2].map(
+                #[inline(always)]
+                |i| conductor(cos, cos.like(eta[i]), cos.like(k[i])),
+            ),
+        }
+    }
+
+    /// The same of one angle, channels side by side.
+    #[inline(always)]
+    pub(crate) fn reflectance_in<L: Lanes>(&self, lanes: L, cos: f32) -> [f32; 3] {
+        match *self {
+            Self::Schlick { f0 } => f0.map(|f0| schlick(cos, f0)),
+            Self::Conductor { eta, k } => lanes.of_three(
+                eta,
+                k,
+                #[inline(always)]
+                |eta, k| conductor(lanes.all(cos), eta, k),
+            ),
         }
     }
 }
 
+#[inline(always)]
+fn schlick<F: Number>(cos: F, f0: f32) -> F {
+    let m = -cos + 1.0;
+    let m2 = m * m;
+    m2 * m2 * m * (1.0 - f0) + f0
+}
+
 /// The unpolarised Fresnel equations of a conductor in air.
 #[inline(always)]
-fn conductor<F: Number>(cos: F, eta: f32, k: f32) -> F {
+fn conductor<F: Number>(cos: F, eta: F, k: F) -> F {
     let cos2 = cos * cos;
     let sin2 = -cos2 + 1.0;
     let (eta2, k2) = (eta * eta, k * k);
-    let t0 = -sin2 + (eta2 - k2);
-    let a2_b2 = (t0 * t0 + 4.0 * eta2 * k2).sqrt();
+    let t0 = eta2 - k2 - sin2;
+    let a2_b2 = (t0 * t0 + eta2 * k2 * 4.0).sqrt();
     let t1 = a2_b2 + cos2;
     let a = ((a2_b2 + t0) * 0.5).max(cos.like(0.0)).sqrt();
     let t2 = cos * a * 2.0;

@@ -2,7 +2,7 @@
 
 use super::Local;
 use super::finish::{LEAST_COS, if_above};
-use crate::lanes::{Number, Vector};
+use crate::lanes::{Lanes, Number, Vector};
 use core::f32::consts::{FRAC_1_PI, TAU};
 use glam::{Vec2, Vec3};
 
@@ -70,7 +70,7 @@ impl<F: Number> Tilting<F> {
 
     /// [`lobe_cos`] of a facet of this normal; of one that a direction is below, as if it were barely above: finite.
     #[inline(always)]
-    pub(super) fn lobe_cos(&self, normal: [f32; 2]) -> F {
+    pub(super) fn lobe_cos(&self, normal: [F; 2]) -> F {
         let (view, light) = (above(&self.view, normal), above(&self.light, normal));
         let (seen, lit) = (
             self.smith(view, self.of_view),
@@ -82,7 +82,7 @@ impl<F: Number> Tilting<F> {
 
     /// [`pdf`] of a facet of this normal, 0 where the half vector is below it; the view as for lobes.
     #[inline(always)]
-    pub(super) fn pdf(&self, normal: [f32; 2]) -> F {
+    pub(super) fn pdf(&self, normal: [F; 2]) -> F {
         let view = above(&self.view, normal);
         let seen = view + self.smith(view, self.of_view);
         let density = view.like(1.0) / (self.spread(normal) * seen);
@@ -96,10 +96,28 @@ impl<F: Number> Tilting<F> {
 
     /// What the distribution of slopes is divided by at the half vector.
     #[inline(always)]
-    fn spread(&self, [x, z]: [f32; 2]) -> F {
-        let sin = self.half.x * z - self.half.z * x;
+    fn spread(&self, [x, z]: [F; 2]) -> F {
+        let sin = self.half.x.times_plus(z, -(self.half.z * x));
         let denominator = (sin * sin).times_plus(self.by_sin, self.of_half);
         denominator * denominator
+    }
+}
+
+impl Tilting<f32> {
+    /// The same for facets side by side.
+    #[inline(always)]
+    pub(super) fn all<L: Lanes>(&self, lanes: L) -> Tilting<L::F> {
+        Tilting {
+            view: self.view.all(lanes),
+            light: self.light.all(lanes),
+            half: self.half.all(lanes),
+            of_view: lanes.all(self.of_view),
+            of_light: lanes.all(self.of_light),
+            of_half: lanes.all(self.of_half),
+            by_cos: lanes.all(self.by_cos),
+            by_sin: lanes.all(self.by_sin),
+            scale: self.scale,
+        }
     }
 }
 
@@ -110,27 +128,28 @@ fn across_and_along<F: Number>(w: &Vector<F>, across: f32, along: f32) -> F {
 
 /// The cosine between a direction and a normal (x, 0, z).
 #[inline(always)]
-fn cos<F: Number>(w: &Vector<F>, [x, z]: [f32; 2]) -> F {
-    w.x.times_plus(w.x.like(x), w.z * z)
+fn cos<F: Number>(w: &Vector<F>, [x, z]: [F; 2]) -> F {
+    w.x.times_plus(x, w.z * z)
 }
 
 #[inline(always)]
-fn above<F: Number>(w: &Vector<F>, normal: [f32; 2]) -> F {
+fn above<F: Number>(w: &Vector<F>, normal: [F; 2]) -> F {
     cos(w, normal).max(w.x.like(LEAST_COS))
 }
 
-/// A microfacet's normal, as often as the view sees it (Dupuy and Benyoub 2023, "Sampling visible GGX normals with
-/// spherical caps").
+/// A microfacet's normal, of any length, as often as the view sees it (Dupuy and Benyoub 2023, "Sampling visible GGX
+/// normals with spherical caps").
+#[inline(always)]
 pub(super) fn sample(alpha: Vec2, u: [f32; 2], view: Vec3) -> Vec3 {
     let stretch = alpha.extend(1.0);
-    let view = (view * stretch).normalize_or_zero();
+    let view = (view * stretch).normalize();
     // Near the cap's pole the sine has no digits left in 1 - z².
     let below_pole = u[1] * (1.0 + view.z);
     let z = 1.0 - below_pole;
     let sin = (below_pole * (2.0 - below_pole)).max(0.0).sqrt();
     let (sin_azimuth, cos_azimuth) = (TAU * u[0]).sin_cos();
     let cap = Vec3::new(sin * cos_azimuth, sin * sin_azimuth, z);
-    ((cap + view) * stretch).normalize_or_zero()
+    (cap + view) * stretch
 }
 
 /// The density of [`sample`] mirrored to lights, per steradian.

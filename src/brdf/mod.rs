@@ -19,7 +19,7 @@ mod threads;
 
 pub use facet::Facet;
 pub use finish::Lobe;
-pub(crate) use finish::{Facets, Finish};
+pub(crate) use finish::{Facets, Finish, is_finite};
 pub use fresnel::Fresnel;
 pub use hosted::{HostBrdf, Hosted};
 pub use metal::Metal;

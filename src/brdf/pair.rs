@@ -71,6 +71,33 @@ impl Pair {
         Self::new(self.view, self.light * Vec3::new(1.0, 1.0, -1.0))
     }
 
+    /// In the frame of a scratch, which this pair is in, what [`Self::below`] makes of the pair in the local frame: view and
+    /// light differ in nothing from this one's but the light's sign.
+    #[inline(always)]
+    pub(crate) fn below_turned(&self, below: &Self, across: Vec2) -> Self {
+        Self {
+            view: self.view,
+            light: self.light * Vec3::new(1.0, 1.0, -1.0),
+            ..below.turned(across)
+        }
+    }
+
+    /// The same pair, component by component.
+    #[inline(always)]
+    pub(crate) fn local(&self) -> Local<f32> {
+        let vector = |w: Vec3| Vector {
+            x: w.x,
+            y: w.y,
+            z: w.z,
+        };
+        Local {
+            view: vector(self.view),
+            light: vector(self.light),
+            half: vector(self.half),
+            view_half: self.view_half,
+        }
+    }
+
     /// The same pair in the frames of zones whose normals are (x, 0, z).
     #[inline(always)]
     pub(crate) fn tilted<F: Number>(&self, x: F, z: F) -> Local<F> {
@@ -82,15 +109,11 @@ impl Pair {
         }
     }
 
-    /// The same pair as the flat surface sees it: a zone of a scratch that runs along x.
+    /// The same pair in the frame of a scratch that runs along x: as the flat surface sees it.
     #[inline(always)]
-    pub(crate) fn level(&self) -> Local<f32> {
-        let turned = |w: Vec3| Vector {
-            x: -w.y,
-            y: w.x,
-            z: w.z,
-        };
-        Local {
+    pub(crate) fn level(&self) -> Self {
+        let turned = |w: Vec3| Vec3::new(-w.y, w.x, w.z);
+        Self {
             view: turned(self.view),
             light: turned(self.light),
             half: turned(self.half),

@@ -24,9 +24,8 @@ pub(super) struct Reflected<F> {
     pub lobes: [F; MOST_FINISHES],
     /// What of the flat surface they take from the light.
     pub taken: F,
-    /// How often their zones' samples go to the light, where that is asked for; and how much of them is seen.
+    /// How often their zones' samples go to the light, where that is asked for.
     pub density: F,
-    pub seen: F,
 }
 
 impl Light {
@@ -47,18 +46,7 @@ impl Reflected<f32> {
         lobes: [0.0; MOST_FINISHES],
         taken: 0.0,
         density: 0.0,
-        seen: 0.0,
     };
-
-    /// With what density samples go to the light: the mean of what is seen.
-    pub(super) fn pdf(&self) -> f32 {
-        let pdf = if self.seen > 0.0 {
-            self.density / self.seen
-        } else {
-            0.0
-        };
-        if pdf.is_finite() { pdf } else { 0.0 }
-    }
 }
 
 impl<F: Number> Reflected<F> {
@@ -69,7 +57,6 @@ impl<F: Number> Reflected<F> {
             lobes: [none; MOST_FINISHES],
             taken: none,
             density: none,
-            seen: none,
         }
     }
 
@@ -84,7 +71,6 @@ impl<F: Number> Reflected<F> {
             lobes,
             taken: self.taken.sum(),
             density: self.density.sum(),
-            seen: self.seen.sum(),
         }
     }
 }
@@ -146,7 +132,6 @@ impl Shading {
             if let Some(below) = &light.below {
                 let below = below.turned_each(flocks.across);
                 self.add_densities(lanes, section, [&pair, &below], shown, &widths.seen, sums);
-                sums.seen = shown.times_plus(all, sums.seen);
             }
         }
     }
@@ -282,17 +267,16 @@ mod tests {
         let mut sums = Reflected::NONE;
         let below = pair.below();
         shading.each_zone(pair, |zone, turned, across| {
-            sums.lobes[zone.finish as usize] += shading.lobe(One, zone, &zone.sees(turned));
+            sums.lobes[zone.finish as usize] += shading.lobe(One, zone, turned);
             sums.density += shading.density(One, zone, turned, &below, across);
-            sums.seen += zone.seen;
         });
         sums
     }
 
     /// RGB and density.
     fn answers(shading: &Shading, sums: &Reflected<f32>, pair: &Pair) -> [f32; 4] {
-        let rgb = shading.zones.colour(&sums.lobes, pair.view_half);
-        rgb.extend(sums.pdf()).into()
+        let rgb = shading.zones.colour(One, &sums.lobes, pair.view_half);
+        rgb.extend(shading.mean(sums.density)).into()
     }
 
     /// Flocks side by side reflect and are chosen as each does by itself: registers that are not full, cross-sections that
@@ -307,10 +291,13 @@ mod tests {
             let below = pair.below();
             let wanted = answers(&shading, &one_by_one(&shading, &pair), &pair);
             let found = [
-                shading.scratch_sums_in(One, &pair, Some(&below)),
-                in_lanes!(lanes => shading.scratch_sums_in(lanes, &pair, Some(&below))),
+                shading.scratch_sums(One, &pair, Some(&below)),
+                in_lanes!(lanes => shading.scratch_sums(lanes, &pair, Some(&below))),
             ];
-            let found = found.map(|sums| shading.with_surface(sums, &pair, Some(&below)));
+            let found = found.map(|mut sums| {
+                shading.add_surface(&mut sums, &pair, Some(&below));
+                sums
+            });
             for (worst, found) in worst.iter_mut().zip(&found) {
                 for (found, wanted) in answers(&shading, found, &pair).iter().zip(wanted) {
                     let off = (found - wanted).abs() / found.max(wanted).max(1e-4);

@@ -52,7 +52,7 @@ impl Shading {
             let sent = self.sent(relief.slots(), &pair.turned(across));
             let mut add = |zone: &Zone| sum += zone.seen * sent.by_zone(zone);
             self.zones
-                .each_of_relief(One, &mut parts[0], relief, &still.turned(across), &mut add);
+                .each_of_relief(One, relief, &still.turned(across), &mut add);
             for (ends, flat) in sent.by_flats() {
                 sum += self.zones.flat_weight(relief, ends) * flat;
             }
@@ -114,7 +114,7 @@ impl Shading {
     }
 
     /// Follows light back from a zone.
-    pub(super) fn walked(&self, zone: &Chosen, u: [f32; 3]) -> Option<Sample> {
+    pub(super) fn walked(&self, zone: &Chosen<'_>, u: [f32; 3]) -> Option<Sample> {
         let mut random = Numbers::from(u);
         let (light, weight) = match zone.scratch {
             Some(scratch) => self.walk_from(zone, &scratch, &mut random),
@@ -133,8 +133,8 @@ impl Shading {
 
     fn walk_from(
         &self,
-        zone: &Chosen,
-        scratch: &Held,
+        zone: &Chosen<'_>,
+        scratch: &Held<'_>,
         random: &mut Numbers,
     ) -> Option<(Vec3, Vec3)> {
         let view = Pair::new(self.view, self.view).turned(zone.across).view;

@@ -4,7 +4,7 @@ use super::abreast::{Light, Reflected};
 use super::shading::{LEAST_COS, Shading, direction};
 use super::visibility::Parts;
 use super::visit::Zone;
-use crate::brdf::{ACROSS_SURFACE, Local, Pair};
+use crate::brdf::{ACROSS_SURFACE, Pair, is_finite};
 use crate::lanes::{Lanes, Number, One, in_lanes};
 use glam::{Vec2, Vec3};
 
@@ -27,21 +27,26 @@ impl Shading {
     /// frame). Black for a light that is no direction, or below the surface.
     #[inline(always)]
     pub fn eval(&self, light: [f32; 3], output: Output) -> [f32; 3] {
-        let Some(pair) = self.pair(light) else {
+        let Some(light) = self.light(light) else {
             return [0.0; 3];
         };
-        let sum = self.reflected(&pair);
+        let sum = self.reflected(light);
         match output {
             Output::BrdfCos => sum.to_array(),
-            Output::Brdf => without_cos(sum, pair.light.z),
+            Output::Brdf => without_cos(sum, light.z),
         }
     }
 
-    /// View and light, unless this light or this point reflects nothing.
+    /// A light's direction, unless it or this point reflects nothing.
     #[inline(always)]
-    pub(super) fn pair(&self, light: [f32; 3]) -> Option<Pair> {
+    pub(super) fn light(&self, light: [f32; 3]) -> Option<Vec3> {
         let light = direction(light).filter(|light| light.z >= LEAST_COS)?;
-        self.is_seen().then(|| Pair::new(self.view, light))
+        self.is_seen().then_some(light)
+    }
+
+    /// View and light, unless this light or this point reflects nothing.
+    pub(super) fn pair(&self, light: [f32; 3]) -> Option<Pair> {
+        self.light(light).map(|light| Pair::new(self.view, light))
     }
 
     /// Whether the view is above the surface; else the point reflects nothing.
@@ -51,46 +56,76 @@ impl Shading {
 
     /// BRDF times cosine, RGB.
     #[inline(always)]
-    pub(super) fn reflected(&self, pair: &Pair) -> Vec3 {
-        // Pairs by value: on the way of most points, which have no scratch, none is written down.
-        let mut sums = if self.is_scratched() {
-            self.scratch_sums(*pair, None)
+    pub(super) fn reflected(&self, light: Vec3) -> Vec3 {
+        let pair = || Pair::new(self.view, light);
+        // Most points have no scratch: on their way nothing is written down, and no registers are needed.
+        let mut sum = if self.is_scratched() {
+            self.scratched(light)
         } else {
-            Reflected::NONE
+            let mut none = Reflected::NONE;
+            self.all_of(One, &mut none, &pair(), None).0
         };
-        sums.lobes[0] += self.lobe(One, &self.surface(sums.taken), &pair.level());
-        let mut sum = self.zones.colour(&sums.lobes, pair.view_half);
         if self.zones.has_hosted() {
-            sum += self.hosted(*pair);
+            sum += self.hosted(pair());
         }
         if self.has_all_bounces() {
-            sum += self.indirect(*pair);
+            sum += self.indirect(pair());
         }
         finite(sum)
     }
 
-    /// What all scratches reflect of a light, and how often their zones' samples go there if it is also given `below` the
-    /// surface.
+    /// The same of a point with scratches.
     #[inline(never)]
-    pub(super) fn scratch_sums(&self, pair: Pair, below: Option<&Pair>) -> Reflected<f32> {
-        in_lanes!(lanes => self.scratch_sums_in(lanes, &pair, below))
+    fn scratched(&self, light: Vec3) -> Vec3 {
+        in_lanes!(lanes => {
+            let pair = Pair::new(self.view, light);
+            let mut sums = self.scratch_sums(lanes, &pair, None);
+            self.all_of(lanes, &mut sums, &pair, None).0
+        })
     }
 
-    /// The same with the flat surface, of which scratches take what these sums say.
-    pub(super) fn with_surface(
+    /// BRDF times cosine, RGB, and density of all that sums of scratches say and of the flat surface that they leave.
+    #[inline(always)]
+    pub(super) fn all_of<L: Lanes>(
         &self,
-        mut sums: Reflected<f32>,
+        lanes: L,
+        sums: &mut Reflected<f32>,
         pair: &Pair,
         below: Option<&Pair>,
-    ) -> Reflected<f32> {
-        let turned = pair.turned(ACROSS_SURFACE);
-        let surface = self.surface(sums.taken);
-        self.add_zone(One, &mut sums, &surface, (&turned, below, ACROSS_SURFACE));
-        sums
+    ) -> (Vec3, f32) {
+        self.add_surface(sums, pair, below);
+        let colour = self.zones.colour(lanes, &sums.lobes, pair.view_half);
+        (colour, self.mean(sums.density))
     }
 
+    /// With what density samples go to a light, if their zones' densities add up to this.
     #[inline(always)]
-    pub(super) fn scratch_sums_in<L: Lanes>(
+    pub(super) fn mean(&self, density: f32) -> f32 {
+        let pdf = density / self.seen;
+        // What is no number, or too large, was nothing's.
+        if self.seen > 0.0 && pdf < f32::INFINITY {
+            pdf
+        } else {
+            0.0
+        }
+    }
+
+    /// Adds to sums of scratches the flat surface, of which they take what they say.
+    #[inline(always)]
+    pub(super) fn add_surface(&self, sums: &mut Reflected<f32>, pair: &Pair, below: Option<&Pair>) {
+        let surface = self.surface(sums.taken);
+        // Of a pixel that lies within a scratch nothing.
+        if surface.seen <= 0.0 && surface.lit <= 0.0 {
+            return;
+        }
+        let turned = pair.level();
+        self.add_zone(One, sums, &surface, (&turned, below, ACROSS_SURFACE));
+    }
+
+    /// What all scratches reflect of a light, and how often their zones' samples go there if it is also given `below` the
+    /// surface.
+    #[inline(always)]
+    pub(super) fn scratch_sums<L: Lanes>(
         &self,
         lanes: L,
         pair: &Pair,
@@ -123,24 +158,29 @@ impl Shading {
         zone: &Zone<L::F>,
         (turned, below, across): (&Pair, Option<&Pair>, Vec2),
     ) {
-        sums.lobes[zone.finish as usize] += self.lobe(lanes, zone, &zone.sees(turned));
-        if let Some(below) = below {
-            sums.density += self.density(lanes, zone, turned, below, across);
-            sums.seen += zone.seen.sum();
+        let lobe = &mut sums.lobes[zone.finish as usize];
+        let Some(below) = below else {
+            *lobe += self.lobe(lanes, zone, turned);
+            return;
+        };
+        if zone.seen.any() || zone.lit.any() {
+            let finish = self.zones.finish_of(zone.finish);
+            let below = turned.below_turned(below, across);
+            let [lobes, pdfs] = finish.facet_lobes_and_pdfs(lanes, [turned, &below], zone.normal);
+            *lobe += where_any(zone.lit, lobes).sum();
+            sums.density += where_any(zone.seen, pdfs).sum();
         }
     }
 
-    /// What of a finish's colour lit zones reflect; `pair` is as they see it.
+    /// What of a finish's colour lit zones reflect; `pair` is in the frame of their scratch.
     #[inline(always)]
-    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Local<L::F>) -> f32 {
+    pub(super) fn lobe<L: Lanes>(&self, lanes: L, zone: &Zone<L::F>, pair: &Pair) -> f32 {
         if !zone.lit.any() {
             return 0.0;
         }
         let finish = self.zones.finish_of(zone.finish);
-        let lobes = finish.lobes_cos(lanes, pair);
-        let none = lanes.all(0.0);
-        // Where no light falls a lobe may be anything.
-        (zone.lit.if_above(none, zone.lit * lobes, none)).sum()
+        let lobes = finish.facet_lobes(lanes, pair, zone.normal);
+        where_any(zone.lit, lobes).sum()
     }
 
     /// Visits each zone that the viewer sees, with view and light in the frame of its scratch and that frame's first
@@ -169,12 +209,10 @@ impl Shading {
         mut visit: impl FnMut(&Zone<L::F>, &Pair, Vec2),
     ) -> f32 {
         let mut taken = 0.0;
-        let mut parts = Parts::new();
         for relief in self.reliefs() {
             let (across, pair) = (relief.across, pair.turned(relief.across));
             taken += self.zones.each_of_relief(
                 lanes,
-                &mut parts,
                 relief,
                 &pair,
                 #[inline(always)]
@@ -195,6 +233,13 @@ impl Shading {
     }
 }
 
+/// So much of each value: where there is none it may be anything.
+#[inline(always)]
+pub(super) fn where_any<F: Number>(share: F, value: F) -> F {
+    let none = share.like(0.0);
+    share.if_above(none, share * value, none)
+}
+
 /// What is left of the flat surface.
 pub(super) fn rest(taken: f32) -> f32 {
     if taken < 1.0 - ROUNDING {
@@ -207,9 +252,7 @@ pub(super) fn rest(taken: f32) -> f32 {
 /// Black in place of what is no colour.
 #[inline(always)]
 pub(super) fn finite(rgb: Vec3) -> Vec3 {
-    // False of NaN too.
-    let is_finite = rgb.abs().cmple(Vec3::MAX).all();
-    if is_finite { rgb } else { Vec3::ZERO }
+    if is_finite(rgb) { rgb } else { Vec3::ZERO }
 }
 
 /// Apart: written into its caller it would be computed always, and then be left out.

@@ -5,10 +5,10 @@
 use super::abreast::{Light, Reflected};
 use super::eval::{ROUNDING, finite, rest};
 use super::many::MOST;
-use super::relief::{MOST_FINISHES, Relief, Zones, unpacked};
+use super::relief::{MOST_FINISHES, Relief, Zones};
 use super::shading::Shading;
 use crate::brdf::{ACROSS_SURFACE, Pair, Pairs};
-use crate::lanes::{Lanes, Number, Vector};
+use crate::lanes::{Lanes, Number, One, Vector};
 use glam::{Vec2, Vec3};
 
 /// What is added up over all zones, for each light.
@@ -18,8 +18,6 @@ struct Sums<F> {
     taken: F,
     /// How often zones' samples go to the light, where that is asked for.
     density: F,
-    /// How much of all is seen.
-    seen: f32,
 }
 
 impl<F: Number> Sums<F> {
@@ -34,7 +32,6 @@ impl<F: Number> Sums<F> {
             lobes,
             taken: lanes.made(|i| flocks[i].taken),
             density: lanes.made(|i| flocks[i].density),
-            seen: flocks[0].seen,
         }
     }
 }
@@ -123,10 +120,8 @@ impl Shading {
         for rgb in &mut found[..L::WIDTH] {
             *rgb = finite(*rgb);
         }
-        let seen = sums.seen;
         sums.density.each(|lane, density| {
-            let pdf = if seen > 0.0 { density / seen } else { 0.0 };
-            densities[lane] = if pdf.is_finite() { pdf } else { 0.0 };
+            densities[lane] = self.mean(density);
             density
         });
     }
@@ -190,8 +185,8 @@ impl Shading {
         let [[x, z], [next_x, next_z]] = zones.corners(slot);
         let (run_x, run_z) = (next_x - x, next_z - z);
         let view_slope = pairs.view.x / pairs.view.z;
-        let from = from.max(lanes.all(unpacked(zones.seen_from[slot])));
-        let to = to.min(lanes.all(unpacked(zones.seen_to[slot])));
+        let [seen_from, seen_to] = zones.seen(One, slot, view_slope >= 0.0);
+        let (from, to) = (from.max(lanes.all(seen_from)), to.min(lanes.all(seen_to)));
         let shown = |share: L::F| share * run_x + x - (share * run_z + z) * view_slope;
         let (a, b) = (shown(from), shown(to));
         let part = zones.densities.between(&relief.weight, a, b).max(none);
@@ -234,7 +229,6 @@ impl Shading {
         let above = finish.pdfs(lanes, &pairs.tilted(facet.normal));
         let below = finish.pdfs(lanes, &below.tilted(facet.normal));
         sums.density = sums.density + (above + below) * facet.seen;
-        sums.seen += facet.seen;
     }
 }
 

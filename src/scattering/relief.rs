@@ -2,11 +2,10 @@
 
 use super::flocks::Flock;
 use super::footprint::{Densities, Weight};
-use super::visibility::{Across, Parts, horizon};
-use super::visit::first_of;
+use super::visibility::{Across, Parts, first_below_any, first_of, horizon, part};
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
-use crate::lanes::{Lanes, Number, in_lanes};
+use crate::lanes::{Lanes, Number, One, in_lanes};
 use crate::pattern::{Hit, Layered, MOST_VERTICES, Pattern};
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
@@ -39,9 +38,9 @@ pub(crate) struct Zones {
     pub(super) z: [f32; ROOM],
     /// Across component of the facet's normal; the upward one follows.
     pub(super) normal_x: [f32; ROOM],
-    /// The part that the viewer sees, from and to, in 65535ths.
-    pub(super) seen_from: [u16; ROOM],
-    pub(super) seen_to: [u16; ROOM],
+    /// Where the part that the viewer sees ends, or begins if he looks from the left, in 65535ths; its other end is the
+    /// facet's own.
+    seen_end: [u16; ROOM],
     /// How much that part weighs in the pixel.
     pub(super) weight: [f32; ROOM],
     /// Which of `finishes` the facet has.
@@ -70,6 +69,14 @@ pub(crate) struct Relief {
     shown: f32,
     /// What of the pixel's plane the viewer sees through this scratch, from and to.
     pub seen_flat: [f32; 2],
+    /// The share of the pixel that this is, before thinning.
+    pub(super) seen_taken: f32,
+    /// Between these slopes of a light nothing of it lies in shadow.
+    open: [f32; 2],
+    /// The first facet that weighs anything in the pixel, and the one after the last.
+    seen_facets: [u8; 2],
+    /// 1 if those from the one to the other have one finish.
+    is_uniform: u8,
     pub weight: Weight,
 }
 
@@ -79,8 +86,7 @@ impl Zones {
             x: [0.0; ROOM],
             z: [0.0; ROOM],
             normal_x: [0.0; ROOM],
-            seen_from: [0; ROOM],
-            seen_to: [0; ROOM],
+            seen_end: [0; ROOM],
             weight: [0.0; ROOM],
             finish: [0; ROOM],
             finishes: [Finish::BLACK; MOST_FINISHES],
@@ -180,7 +186,7 @@ impl Zones {
         let mut parts = Parts::new();
         let horizon = in_lanes!(lanes => parts.sweep(lanes, &self.x[first..], &self.z[first..], vertices - 1, v));
         let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
-        let ends = [xs[0], xs[vertices - 1]];
+        let [ends, ends_z] = [xs, zs].map(|of| [of[0], of[vertices - 1]]);
         let seen_flat = v.flat_ends(horizon, ends);
         // A shadow may fall into the pixel from a scratch beside it.
         let shadow = LONGEST_SHADOW * zs.iter().copied().fold(0.0, f32::max);
@@ -193,9 +199,11 @@ impl Zones {
             first: self.used,
             vertices: u32::try_from(vertices).unwrap_or(0),
             gain: 1.0,
-            shown: 0.0,
             seen_flat,
+            seen_taken: self.densities.taken(&weight, seen_flat),
+            open: clearing(ends, ends_z, seen_flat),
             weight,
+            ..Relief::NONE
         };
         in_lanes!(lanes => self.weigh(lanes, &mut relief, &parts, v));
         self.used += relief.vertices;
@@ -207,9 +215,9 @@ impl Zones {
     fn weigh<L: Lanes>(&mut self, lanes: L, relief: &mut Relief, parts: &Parts, view: Across) {
         let (first, facets) = (relief.first as usize, relief.facets());
         for k in 0..facets {
-            let [from, to] = parts.of(k).map(packed);
-            (self.seen_from[first + k], self.seen_to[first + k]) = (from, to);
+            self.seen_end[first + k] = packed(parts.end(k));
         }
+        let [mut least, mut most] = relief.open.map(|slope| lanes.all(slope));
         for k in (0..facets).step_by(L::WIDTH) {
             let slot = first + k;
             // Scaled up first: facets of nanometres would underflow when squared.
@@ -220,8 +228,10 @@ impl Zones {
             let normal_x = length.if_above(zero, -z / length, zero);
             // Absurdly large ones have no direction.
             let normal_x = lanes.all(f32::MAX).if_above(length, normal_x, zero);
-            let weight =
-                self.part_weight(lanes, relief, slot, self.seen(lanes, slot), view.x / view.z);
+            let [falls, rises] = facing(lanes, facets - k, [x, z]);
+            (least, most) = (least.max(falls), most.min(rises));
+            let seen = self.seen(lanes, slot, view.x >= 0.0);
+            let weight = self.part_weight(lanes, relief, slot, seen, view.x / view.z);
             let weight = first_of(lanes, facets - k, weight);
             relief.shown += weight.sum();
             let own = L::WIDTH.min(facets - k);
@@ -231,6 +241,24 @@ impl Zones {
             self.normal_x[slot..slot + own].copy_from_slice(&normals[..own]);
             self.weight[slot..slot + own].copy_from_slice(&weights[..own]);
         }
+        relief.open = [
+            lanes.most_up_to(least).lane(L::WIDTH - 1),
+            lanes.least_from(most).lane(0),
+        ];
+        self.note_seen_facets(relief);
+    }
+
+    fn note_seen_facets(&self, relief: &mut Relief) {
+        let first = relief.first as usize;
+        let weights = &self.weight[first..first + relief.facets()];
+        let Some(from) = weights.iter().position(|&weight| weight > 0.0) else {
+            return;
+        };
+        let last = weights.iter().rposition(|&weight| weight > 0.0);
+        let to = last.map_or(from, |last| last + 1);
+        let finishes = &self.finish[first + from..first + to];
+        relief.seen_facets = [from, to].map(|facet| u8::try_from(facet).unwrap_or(u8::MAX));
+        relief.is_uniform = finishes.iter().all(|finish| *finish == finishes[0]).into();
     }
 
     /// From the left end of facets to their right ends, in x and z.
@@ -242,13 +270,10 @@ impl Zones {
         ]
     }
 
-    /// The parts of facets that the viewer sees.
+    /// The parts of facets that a viewer who looks from the right sees, or one who looks from the left.
     #[inline(always)]
-    pub(super) fn seen<L: Lanes>(&self, lanes: L, slot: usize) -> [L::F; 2] {
-        [
-            lanes.load_whole(&self.seen_from[slot..]) / WHOLE,
-            lanes.load_whole(&self.seen_to[slot..]) / WHOLE,
-        ]
+    pub(super) fn seen<L: Lanes>(&self, lanes: L, slot: usize, leftwards: bool) -> [L::F; 2] {
+        part(lanes.load_whole(&self.seen_end[slot..]) / WHOLE, leftwards)
     }
 
     /// How much parts of facets weigh in the pixel: their projection along the view, under the filter.
@@ -275,11 +300,16 @@ impl Zones {
     /// What all zones reflect together, RGB, if this is what each finish's lobes add up to, for light and view of this cosine
     /// to their half vector.
     #[inline(always)]
-    pub(crate) fn colour(&self, lobes: &[f32; MOST_FINISHES], view_half: f32) -> Vec3 {
+    pub(crate) fn colour<L: Lanes>(
+        &self,
+        lanes: L,
+        lobes: &[f32; MOST_FINISHES],
+        view_half: f32,
+    ) -> Vec3 {
         let mut sum = Vec3::ZERO;
         for (finish, &lobe) in self.finishes().iter().zip(lobes) {
             if lobe > 0.0 {
-                sum += Vec3::from(finish.colour(view_half)) * lobe;
+                sum += Vec3::from(finish.colour_in(lanes, view_half)) * lobe;
             }
         }
         sum
@@ -319,7 +349,7 @@ impl Zones {
             let z = self.z[k] + share * (self.z[k + 1] - self.z[k]);
             x - z * view_slope
         };
-        let [from, to] = [self.seen_from[k], self.seen_to[k]].map(unpacked);
+        let [from, to] = self.seen(One, k, view_slope >= 0.0);
         let at = self
             .densities
             .place(&relief.weight, [shown(from), shown(to)], u);
@@ -439,9 +469,29 @@ pub(super) fn packed(share: f32) -> u16 {
     (share * WHOLE + 0.5) as u16
 }
 
-#[inline(always)]
 pub(super) fn unpacked(share: u16) -> f32 {
     f32::from(share) / WHOLE
+}
+
+/// Between which slopes of a light the first `count` facets with these runs, from their left to their right ends, face it.
+#[inline(always)]
+fn facing<L: Lanes>(lanes: L, count: usize, [x, z]: [L::F; 2]) -> [L::F; 2] {
+    let (none, any) = (lanes.all(0.0), lanes.all(f32::INFINITY));
+    let slope = x / z;
+    let (falls, rises) = (none.if_above(z, slope, -any), z.if_above(none, slope, any));
+    [
+        first_below_any(lanes, count, falls),
+        -first_below_any(lanes, count, -rises),
+    ]
+}
+
+/// Between which slopes of a light the ends of a cross-section, if they stand up, shade none of the plane that is seen.
+fn clearing(xs: [f32; 2], zs: [f32; 2], seen_flat: [f32; 2]) -> [f32; 2] {
+    let slope = |end: usize, any: f32| match zs[end] {
+        z if z > 0.0 => (xs[end] - seen_flat[end]) / z,
+        _ => any,
+    };
+    [slope(1, f32::NEG_INFINITY), slope(0, f32::INFINITY)]
 }
 
 impl Relief {
@@ -452,12 +502,35 @@ impl Relief {
         gain: 0.0,
         shown: 0.0,
         seen_flat: [0.0; 2],
+        seen_taken: 0.0,
+        open: [0.0; 2],
+        seen_facets: [0; 2],
+        is_uniform: 0,
         weight: Weight::NONE,
     };
+
+    /// Whether nothing of it lies in shadow: each facet faces the light.
+    #[inline(always)]
+    pub(super) fn is_open_to(&self, light: Across) -> bool {
+        let [least, most] = self.open.map(|slope| slope * light.z);
+        least < light.x && light.x < most
+    }
 
     /// How many facets it has.
     pub(crate) fn facets(&self) -> usize {
         (self.vertices as usize).saturating_sub(1)
+    }
+
+    /// The first facet that weighs anything in the pixel, and the one after the last.
+    #[inline(always)]
+    pub(super) fn seen_facets(&self) -> [usize; 2] {
+        self.seen_facets.map(usize::from)
+    }
+
+    /// Whether those from the one to the other have one finish.
+    #[inline(always)]
+    pub(super) fn is_uniform(&self) -> bool {
+        self.is_uniform == 1
     }
 
     /// Where its values are kept.

@@ -1,6 +1,6 @@
 //! How often the view would be chosen were the light the view, for paths that are walked from both ends.
 
-use super::eval::rest;
+use super::eval::{rest, where_any};
 use super::flocks::Flock;
 use super::shading::Shading;
 use super::visibility::Parts;
@@ -81,15 +81,12 @@ impl Shading {
         below: &Pair,
         across: Vec2,
     ) -> f32 {
-        let none = lanes.all(0.0);
         if !zone.seen.any() {
             return 0.0;
         }
-        let [x, z] = zone.normal;
         let finish = self.zones.finish_of(zone.finish);
-        let below = below.turned(across);
-        let above = finish.pdfs(lanes, &turned.tilted(x, z));
-        let below = finish.pdfs(lanes, &below.tilted(x, z));
-        (zone.seen.if_above(none, zone.seen * (above + below), none)).sum()
+        let above = finish.facet_pdfs(lanes, turned, zone.normal);
+        let below = finish.facet_pdfs(lanes, &turned.below_turned(below, across), zone.normal);
+        where_any(zone.seen, above + below).sum()
     }
 }

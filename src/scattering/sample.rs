@@ -1,15 +1,15 @@
 //! Lights chosen as often as they are reflected, and how often that is (section 4 of the model).
 
-use super::abreast::Reflected;
-use super::eval::{finite, rest};
+use super::eval::finite;
 use super::flocks::Flock;
 use super::many::{MOST, Vectors};
 use super::relief::Relief;
-use super::shading::{LEAST_COS, Shading};
+use super::shading::{LEAST_COS, Shading, direction};
 use super::visibility::Parts;
 use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Lobe, Pair};
 use crate::error::Result;
+use crate::lanes::{Lanes, in_lanes};
 use glam::{Vec2, Vec3};
 
 /// A light chosen for a view.
@@ -38,20 +38,20 @@ pub struct Evaluated {
 
 /// A zone that was chosen.
 #[derive(Clone, Copy)]
-pub(super) struct Chosen {
+pub(super) struct Chosen<'a> {
     pub finish: u8,
     pub normal: Vec3,
     /// Its scratch's first axis.
     pub across: Vec2,
-    pub scratch: Option<Held>,
+    pub scratch: Option<Held<'a>>,
     /// Number of the facet in its scratch.
     pub facet: usize,
 }
 
 /// A scratch that a shading point holds: by itself, or among others like it.
 #[derive(Clone, Copy)]
-pub(super) enum Held {
-    Relief(Relief),
+pub(super) enum Held<'a> {
+    Relief(&'a Relief),
     Flock(Flock),
 }
 
@@ -63,13 +63,20 @@ impl Shading {
         if !self.is_seen() {
             return None;
         }
+        if self.has_all_bounces() {
+            let u = within_unit(u);
+            return self.walked(&self.chosen(u[0]), u);
+        }
+        in_lanes!(lanes => self.sample_in(lanes, u))
+    }
+
+    #[inline(always)]
+    fn sample_in<L: Lanes>(&self, lanes: L, u: [f32; 3]) -> Option<Sample> {
         let u = within_unit(u);
         let zone = self.chosen(u[0]);
-        if self.has_all_bounces() {
-            return self.walked(&zone, u);
-        }
         let light = self.proposed(&zone, u)?;
-        self.weighed(&zone, light, self.eval_pdf(light.to_array()))
+        let (brdf_cos, pdf) = self.first_bounce_in(lanes, light);
+        self.weighed(&zone, light, brdf_cos, pdf)
     }
 
     /// [`Self::sample`] for the first `count` of `u`: `tell` gets each one's number and sample, at a fraction of the price,
@@ -98,11 +105,8 @@ impl Shading {
             }
             let (found, densities) = self.reflected_many(&lights, true);
             for i in 0..own {
-                let evaluated = Evaluated {
-                    brdf_cos: found[i].to_array(),
-                    pdf: densities[i],
-                };
-                let sample = zones[i].and_then(|zone| self.weighed(&zone, lights[i], evaluated));
+                let sample = zones[i]
+                    .and_then(|zone| self.weighed(&zone, lights[i], found[i], densities[i]));
                 tell(first + i, sample);
             }
         }
@@ -110,19 +114,21 @@ impl Shading {
     }
 
     /// A light that a zone reflects to the view.
-    fn proposed(&self, zone: &Chosen, u: [f32; 3]) -> Option<Vec3> {
+    #[inline(always)]
+    fn proposed(&self, zone: &Chosen<'_>, u: [f32; 3]) -> Option<Vec3> {
         let view = zone.turned(self.view);
         let finish = self.zones.finish_of(zone.finish);
         let light = zone.turned_back(finish.sample_all([u[1], u[2]], zone.normal, view)?);
         // What goes down into the surface goes up instead.
-        Some(upwards(light * Vec3::new(1.0, 1.0, light.z.signum())))
+        let light = direction([light.x, light.y, light.z.abs().max(LEAST_COS)]);
+        light.filter(|light| light.z >= LEAST_COS)
     }
 
-    fn weighed(&self, zone: &Chosen, light: Vec3, evaluated: Evaluated) -> Option<Sample> {
-        let Evaluated { brdf_cos, pdf } = evaluated;
+    #[inline(always)]
+    fn weighed(&self, zone: &Chosen<'_>, light: Vec3, brdf_cos: Vec3, pdf: f32) -> Option<Sample> {
         (pdf > 0.0).then(|| Sample {
             light: light.to_array(),
-            weight: finite(Vec3::from(brdf_cos) / pdf).to_array(),
+            weight: finite(brdf_cos / pdf).to_array(),
             pdf,
             scratch: zone.scratch.is_some(),
             lobe: self.zones.finish_of(zone.finish).kind(),
@@ -132,53 +138,67 @@ impl Shading {
     /// The density with which [`Self::sample`] chooses a light (of any length above 0, in the local frame), per
     /// steradian. 0 below the surface; elsewhere it adds up to 1.
     pub fn pdf(&self, light: [f32; 3]) -> f32 {
-        self.pair(light)
-            .map_or(0.0, |pair| self.first_bounce(&pair).1)
+        self.light(light)
+            .map_or(0.0, |light| self.first_bounce(light).1)
     }
 
     /// [`Self::eval`] and [`Self::pdf`] for the price of little more than one.
     pub fn eval_pdf(&self, light: [f32; 3]) -> Evaluated {
-        let Some(pair) = self.pair(light) else {
+        let Some(light) = self.light(light) else {
             return Evaluated::default();
         };
-        let (mut brdf_cos, pdf) = self.first_bounce(&pair);
+        let (mut brdf_cos, pdf) = self.first_bounce(light);
         if self.has_all_bounces() {
-            brdf_cos += self.indirect(pair);
+            brdf_cos += self.indirect(Pair::new(self.view, light));
         }
         let brdf_cos = finite(brdf_cos).to_array();
         Evaluated { brdf_cos, pdf }
     }
 
     /// BRDF times cosine of light that meets one zone, and the density with which it is chosen, whatever it meets.
-    fn first_bounce(&self, pair: &Pair) -> (Vec3, f32) {
+    #[inline(never)]
+    fn first_bounce(&self, light: Vec3) -> (Vec3, f32) {
+        in_lanes!(lanes => self.first_bounce_in(lanes, light))
+    }
+
+    #[inline(always)]
+    fn first_bounce_in<L: Lanes>(&self, lanes: L, light: Vec3) -> (Vec3, f32) {
+        let pair = Pair::new(self.view, light);
         let below = pair.below();
-        let sums = if self.is_scratched() {
-            self.scratch_sums(*pair, Some(&below))
-        } else {
-            Reflected::NONE
-        };
-        let sums = self.with_surface(sums, pair, Some(&below));
-        let mut brdf_cos = self.zones.colour(&sums.lobes, pair.view_half);
+        let mut sums = self.scratch_sums(lanes, &pair, Some(&below));
+        let (mut brdf_cos, pdf) = self.all_of(lanes, &mut sums, &pair, Some(&below));
         if self.zones.has_hosted() {
-            brdf_cos += self.hosted(*pair);
+            brdf_cos += self.hosted(pair);
         }
-        (brdf_cos, sums.pdf())
+        (brdf_cos, pdf)
     }
 
     /// The zone in which the share `u` of all that is seen falls.
-    fn chosen(&self, u: f32) -> Chosen {
+    #[inline(always)]
+    fn chosen(&self, u: f32) -> Chosen<'_> {
         let reliefs = self.reliefs().iter();
-        let scratched: f32 = reliefs.clone().map(Relief::coverage).sum();
-        let flat = rest(self.coverage());
-        let mut left = u * (scratched + self.flocks.seen() + flat);
+        let mut left = u * self.seen;
         for relief in reliefs {
             if left < relief.coverage() {
-                let mut picked = Picked::new(left, relief.across, Held::Relief(*relief));
-                self.zones.each_seen(relief, |zone| picked.pass(zone));
-                return picked.chosen;
+                let zone = self.zones.seen_at(relief, left);
+                return Chosen {
+                    finish: zone.finish,
+                    normal: zone.normal(),
+                    across: relief.across,
+                    scratch: Some(Held::Relief(relief)),
+                    facet: zone.facet.unwrap_or(0),
+                };
             }
             left -= relief.coverage();
         }
+        if self.flocks.is_empty() {
+            return Chosen::FLAT;
+        }
+        self.chosen_of_flocks(left)
+    }
+
+    #[inline(never)]
+    fn chosen_of_flocks(&self, mut left: f32) -> Chosen<'_> {
         // No light matters here.
         let pair = Pair::new(self.view, self.view);
         for flock in self.flocks.iter() {
@@ -196,13 +216,13 @@ impl Shading {
 }
 
 /// Goes through the zones of a scratch up to the one in which a share falls.
-struct Picked {
+struct Picked<'a> {
     left: f32,
-    chosen: Chosen,
+    chosen: Chosen<'a>,
 }
 
-impl Picked {
-    fn new(left: f32, across: Vec2, scratch: Held) -> Self {
+impl<'a> Picked<'a> {
+    fn new(left: f32, across: Vec2, scratch: Held<'a>) -> Self {
         let chosen = Chosen {
             across,
             scratch: Some(scratch),
@@ -221,7 +241,7 @@ impl Picked {
     }
 }
 
-impl Chosen {
+impl Chosen<'_> {
     const FLAT: Self = Self {
         finish: 0,
         normal: Vec3::Z,

@@ -1,5 +1,6 @@
 //! One shading point seen from one direction: everything that does not depend on the light.
 
+use super::eval::rest;
 use super::flocks::{Flock, Flocks, MOST_FLOCKS};
 use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, MOST_SLOTS, Relief, Zones};
 use crate::brdf::Finish;
@@ -51,6 +52,8 @@ pub struct Shading {
     pub(super) relief_count: u32,
     /// 1 if light is followed from zone to zone.
     pub(super) all_bounces: u32,
+    /// The share of the pixel that samples are chosen from: all that the viewer sees, zone by zone.
+    pub(super) seen: f32,
     /// What all scratches would cover were they not thinned to fill the pixel and no more, at least 1.
     pub(super) crowding: f32,
     /// Zero for a point that reflects nothing.
@@ -68,6 +71,7 @@ impl Default for Shading {
             scratch_count: 0,
             relief_count: 0,
             all_bounces: 0,
+            seen: 1.0,
             crowding: 1.0,
             view: Vec3::ZERO,
             reliefs: [Relief::NONE; MOST_RELIEFS],
@@ -152,6 +156,7 @@ impl Shading {
         self.scratch_count = 0;
         self.relief_count = 0;
         self.all_bounces = 0;
+        self.seen = 1.0;
         self.crowding = 1.0;
         self.flocks.clear();
         self.zones.clear();
@@ -393,6 +398,8 @@ impl Shading {
         self.flocks.set_seen(crowd / self.crowding);
         // An empty sum is -0.
         self.coverage = (0.0 + all).clamp(0.0, 1.0);
+        let alone: f32 = reliefs.iter().map(Relief::coverage).sum();
+        self.seen = alone + self.flocks.seen() + rest(self.coverage);
     }
 }
 

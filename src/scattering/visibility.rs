@@ -118,7 +118,10 @@ impl Parts {
             let key = w.keys(lanes, &xs[k..], &zs[k..]);
             let next = w.keys(lanes, &xs[k + 1..], &zs[k + 1..]);
             let near = if LEFTWARDS { next } else { key };
-            let near = first_or(lanes, facets - k, near, open);
+            let near = match LEFTWARDS {
+                true => -first_below_any(lanes, facets - k, -near),
+                false => first_below_any(lanes, facets - k, near),
+            };
             let horizons = match LEFTWARDS {
                 true => lanes.least_from(near).min(lanes.all(horizon)),
                 false => lanes.most_up_to(near).max(lanes.all(horizon)),
@@ -139,34 +142,55 @@ impl Parts {
     /// From where to where facets are unblocked, from number `k` on.
     #[inline(always)]
     pub(crate) fn load<L: Lanes>(&self, lanes: L, k: usize) -> [L::F; 2] {
-        let end = lanes.load(&self.ends[k..]);
-        if self.leftwards {
-            [lanes.all(0.0), end]
-        } else {
-            [end, lanes.all(1.0)]
-        }
+        part(lanes.load(&self.ends[k..]), self.leftwards)
     }
 
     pub(crate) fn of(&self, facet: usize) -> Part {
-        let end = self.ends[facet];
-        if self.leftwards {
-            [0.0, end]
-        } else {
-            [end, 1.0]
-        }
+        part(self.end(facet), self.leftwards)
+    }
+
+    /// The one end of a facet's part that is not its facet's.
+    pub(super) fn end(&self, facet: usize) -> f32 {
+        self.ends[facet]
     }
 }
 
-/// The first `count` numbers, and `other` in place of those after them.
+/// Parts of which one end is known; a direction from the right sees the left end of all that it sees anything of.
 #[inline(always)]
-pub(super) fn first_or<L: Lanes>(lanes: L, count: usize, numbers: L::F, other: f32) -> L::F {
+pub(super) fn part<F: Number>(end: F, leftwards: bool) -> [F; 2] {
+    if leftwards {
+        [end.like(0.0), end]
+    } else {
+        [end, end.like(1.0)]
+    }
+}
+
+/// The first `count` numbers, none of which is below 0, and 0 in place of those after them.
+#[inline(always)]
+pub(super) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+    up_to(lanes, count, numbers, const { &bounds(0.0) })
+}
+
+/// The first `count` numbers, and what none is below in place of those after them.
+#[inline(always)]
+pub(super) fn first_below_any<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+    up_to(lanes, count, numbers, const { &bounds(f32::NEG_INFINITY) })
+}
+
+/// Any number's bound as often as there are lanes, then another one's.
+const fn bounds(last: f32) -> [f32; 16] {
+    let any = f32::INFINITY;
+    [
+        any, any, any, any, any, any, any, any, last, last, last, last, last, last, last, last,
+    ]
+}
+
+#[inline(always)]
+fn up_to<L: Lanes>(lanes: L, count: usize, numbers: L::F, bounds: &[f32; 16]) -> L::F {
     if count >= L::WIDTH {
         return numbers;
     }
-    let place = lanes.made(|i| i as f32);
-    lanes
-        .all(count as f32)
-        .if_above(place, numbers, lanes.all(other))
+    numbers.min(lanes.load(&bounds[8 - count.min(8)..]))
 }
 
 #[cfg(test)]
