@@ -106,7 +106,12 @@ impl Course<'_> {
         ) {
             (Some(a), Some(b)) => {
                 let ([a, at_a], [b, at_b]) = (a.map(f64::from), b.map(f64::from));
-                at_a + (at_b - at_a) * ((at - a) / (b - a))
+                // Most of the way is even.
+                if at_a == at_b {
+                    at_a
+                } else {
+                    at_a + (at_b - at_a) * ((at - a) / (b - a))
+                }
             }
             (Some(only), None) | (None, Some(only)) => only[1].into(),
             (None, None) => 0.0,
@@ -136,14 +141,15 @@ impl Course<'_> {
         )
     }
 
-    /// The mean width of the cross-sections between two shares of arc length, mm.
-    pub(crate) fn mean_width(&self, track: &TrackRef<'_>, [from, to]: [f64; 2]) -> f64 {
+    /// The mean between two shares of arc length of something that has this mean on an even way between two values.
+    pub(crate) fn mean(&self, [from, to]: [f64; 2], mut mean: impl FnMut(f64, f64) -> f64) -> f64 {
         if to <= from || self.is_constant() {
-            return track.width(self.value(from));
+            let value = self.value(from);
+            return mean(value, value);
         }
         let spans = self.turns(from, to);
-        let area = |[[at_a, a], [at_b, b]]: [[f64; 2]; 2]| (at_b - at_a) * track.mean_width(a, b);
-        spans.map(area).sum::<f64>() / (to - from)
+        let part = |[[at_a, a], [at_b, b]]: [[f64; 2]; 2]| (at_b - at_a) * mean(a, b);
+        spans.map(part).sum::<f64>() / (to - from)
     }
 
     /// How much the cross-section changes from one share of arc length to another, all to and fro counted.

@@ -87,14 +87,21 @@ impl Grid {
             cell
         };
         let cells: Vec<Cell> = counts.iter().map(cell).collect();
-        let parts = Lists::new(first as usize, curves.pieces.len(), |piece, sink| {
-            let control = curves.control(piece);
-            raster.for_each_cell(&control, |number| {
-                let Cell { first, side } = cells[number as usize];
-                let parts = raster.cell(number as usize).parted(side);
-                parts.for_each_cell(&control, |part| sink.put(first + part, self::number(piece)));
-            });
-        });
+        let parts = Lists::new(
+            first as usize,
+            curves.pieces.len(),
+            || (),
+            |(), piece, sink| {
+                let control = curves.control(piece);
+                raster.for_each_cell(&control, |number| {
+                    let Cell { first, side } = cells[number as usize];
+                    let parts = raster.cell(number as usize).parted(side);
+                    parts.for_each_cell(&control, |part| {
+                        sink.put(first + part, self::number(piece))
+                    });
+                });
+            },
+        );
         Self {
             raster,
             cells: cells.into(),

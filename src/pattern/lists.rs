@@ -34,11 +34,13 @@ impl<T> Sink<T> {
 }
 
 impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
-    /// What `sort_in` puts into so many cells for each source from 0 to `sources`.
-    pub(crate) fn new(
+    /// What `sort_in` puts into so many cells for each source from 0 to `sources`. It is told what `begin` made for this
+    /// and some other sources.
+    pub(crate) fn new<R>(
         cells: usize,
         sources: usize,
-        sort_in: impl Fn(usize, &mut Sink<T>) + Sync,
+        begin: impl Fn() -> R + Sync,
+        sort_in: impl Fn(&mut R, usize, &mut Sink<T>) + Sync,
     ) -> Self {
         let shift = cells.div_ceil(GROUPS).max(1).next_power_of_two().ilog2();
         let count = cells.div_ceil(1 << shift);
@@ -47,10 +49,10 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
             .into_par_iter()
             .map(|portion| {
                 let groups = (0..count).map(|_| Vec::with_capacity(expected)).collect();
-                let mut sink = Sink { groups, shift };
+                let (mut sink, mut reader) = (Sink { groups, shift }, begin());
                 let first = portion * PORTION;
                 for source in first..(first + PORTION).min(sources) {
-                    sort_in(source, &mut sink);
+                    sort_in(&mut reader, source, &mut sink);
                 }
                 sink
             })
@@ -131,12 +133,17 @@ mod tests {
     fn items_come_back() {
         for cells in [1, 5, 1000, 5000] {
             let place = |source: usize| (source * 7919 + 13) % cells;
-            let lists = Lists::new(cells, 200_000, |source, sink| {
-                sink.put(u32::try_from(place(source)).unwrap(), source);
-                if source % 3 == 0 {
-                    sink.put(0, source);
-                }
-            });
+            let lists = Lists::new(
+                cells,
+                200_000,
+                || (),
+                |(), source, sink| {
+                    sink.put(u32::try_from(place(source)).unwrap(), source);
+                    if source % 3 == 0 {
+                        sink.put(0, source);
+                    }
+                },
+            );
             assert_eq!(lists.items.len(), 200_000 + 66_667);
             for cell in 0..cells {
                 let truth = (0..200_000).flat_map(|source| {
