@@ -10,8 +10,7 @@ mod meet;
 mod part;
 
 use super::Pattern;
-use super::grid::number;
-use super::lists::{Lists, Sink};
+use super::lists::Lists;
 use super::raster::Extents;
 use super::reader::Reader;
 use super::strip::Strip;
@@ -45,18 +44,13 @@ fn shares_left<R>(
         return Vec::new();
     };
     let raster = extents.raster(PER_CELL, MOST_CELLS_PER_STRIP);
-    let cells = Lists::new(
-        raster.count(),
-        count,
-        || (),
-        |(), i, sink: &mut Sink<u32>| {
-            let strip = &strips[i].strip;
-            if strip.half_width > 0.0 {
-                let listed = |cell| sink.put(cell, number(i));
-                raster.for_each_cell_within(strip.half_width, [strip.start, strip.end], listed);
-            }
-        },
-    );
+    let cells = Lists::of_sources(raster.count(), count, |i, source| {
+        let strip = &strips[i].strip;
+        if strip.half_width > 0.0 {
+            let line = [strip.start, strip.end];
+            raster.for_each_cell_within(strip.half_width, line, |cell| source.lies_in(cell));
+        }
+    });
     let look = |part: &mut Part, i: usize| {
         cell::look(part, cells.of(i), &strips, raster.corners(i));
     };
