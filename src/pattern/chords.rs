@@ -6,7 +6,7 @@ use super::closest::{LengthShares, bezier, tangent};
 use super::palette::MOST_CLASSES;
 use super::query::Reach;
 use super::raster::cell_number;
-use super::reader::Reader;
+use super::reader::{Reader, Recent};
 use super::tracks::TrackRef;
 use crate::single;
 use glam::DVec2;
@@ -82,11 +82,14 @@ impl Reader<'_> {
         if within.is_some_and(is_beside) {
             return;
         }
-        let Some((track, course)) = curves
-            .pieces
-            .get(number)
-            .and_then(|piece| self.strand(piece.scratch))
-        else {
+        self.turn_to(number);
+        let Self {
+            strand,
+            per_mm: known_areas,
+            steps: known_steps,
+            ..
+        } = self;
+        let Some((track, course)) = strand else {
             return;
         };
         let (control, [from, to]) = (curves.control(number), curves.at(number));
@@ -98,7 +101,7 @@ impl Reader<'_> {
         for [[before, first], [after, last]] in course.turns(from, to) {
             let at = [before, after].map(|at| (at - from) / (to - from));
             let (span, last_t) = match first == last && after == to {
-                true => (Span::Even(self.areas_at(&track, first)), 1.0),
+                true => (Span::even(track, first, known_areas), 1.0),
                 false => {
                     let lengths = LengthShares::of(&scaled);
                     let last_t = if after < to {
@@ -106,7 +109,9 @@ impl Reader<'_> {
                     } else {
                         1.0
                     };
-                    (self.span(&track, lengths, at, [first, last]), last_t)
+                    let values = [first, last];
+                    let span = Span::of(track, lengths, at, values, known_areas, known_steps);
+                    (span, last_t)
                 }
             };
             let part = last_t - first_t;
@@ -131,30 +136,6 @@ impl Reader<'_> {
             first_t = last_t;
         }
         pattern.for_each_cap_chord(number, visible, within, &mut visit);
-    }
-
-    /// Scratched area by class of a mm of a cross-section.
-    fn areas_at(&mut self, track: &TrackRef<'_>, value: f64) -> ClassAreas {
-        let areas = || per_mm(track, value);
-        self.per_mm.get(track, [value; 2], areas)
-    }
-
-    fn span(
-        &mut self,
-        track: &TrackRef<'_>,
-        lengths: LengthShares,
-        at: [f64; 2],
-        [first, last]: [f64; 2],
-    ) -> Span {
-        let way = [first.min(last), first.max(last)];
-        if way[1] - way[0] <= STEPS as f64 * track.least_step() {
-            return Span::Even(self.areas_at(track, 0.5 * (first + last)));
-        }
-        let mut steps = self.steps.get(track, way, || steps(track, way));
-        if first > last {
-            steps.reverse();
-        }
-        Span::Changing { lengths, at, steps }
     }
 }
 
@@ -225,6 +206,29 @@ impl Chord<'_> {
 }
 
 impl Span {
+    fn even(track: &TrackRef<'_>, value: f64, known: &mut Recent<ClassAreas>) -> Self {
+        Self::Even(known.get(track, [value; 2], || per_mm(track, value)))
+    }
+
+    fn of(
+        track: &TrackRef<'_>,
+        lengths: LengthShares,
+        at: [f64; 2],
+        [first, last]: [f64; 2],
+        known_areas: &mut Recent<ClassAreas>,
+        known_steps: &mut Recent<[ClassAreas; STEPS]>,
+    ) -> Self {
+        let way = [first.min(last), first.max(last)];
+        if way[1] - way[0] <= STEPS as f64 * track.least_step() {
+            return Self::even(track, 0.5 * (first + last), known_areas);
+        }
+        let mut steps = known_steps.get(track, way, || steps(track, way));
+        if first > last {
+            steps.reverse();
+        }
+        Self::Changing { lengths, at, steps }
+    }
+
     /// The mean between two parameters.
     fn per_mm(&self, t: [f64; 2]) -> ClassAreas {
         let (lengths, at, steps) = match self {
@@ -266,10 +270,11 @@ fn add(sum: &mut ClassAreas, areas: &ClassAreas, times: f32) {
 fn shares_of<const PARTS: usize>(stretch: [f64; 2]) -> [f64; PARTS] {
     let [from, to] = stretch.map(|place| place * PARTS as f64);
     let length = to - from;
+    let per_length = 1.0 / length;
     core::array::from_fn(|part| {
         if length > 0.0 {
             let start = part as f64;
-            (to.min(start + 1.0) - from.max(start)).max(0.0) / length
+            (to.min(start + 1.0) - from.max(start)).max(0.0) * per_length
         } else {
             // Nowhere: where it lies counts wholly.
             f64::from(u8::from(

@@ -99,7 +99,16 @@ impl Course<'_> {
 
     /// Its value at a share of arc length.
     pub(crate) fn value(&self, at: f64) -> f64 {
-        let next = self.knots.partition_point(|knot| f64::from(knot[0]) <= at);
+        self.value_before(self.next(at), at)
+    }
+
+    /// The number of the first knot behind a share of arc length.
+    fn next(&self, at: f64) -> usize {
+        self.knots.partition_point(|knot| f64::from(knot[0]) <= at)
+    }
+
+    /// Its value at a place before this knot and behind the one before it.
+    fn value_before(&self, next: usize, at: f64) -> f64 {
         let share = match (
             next.checked_sub(1).and_then(|i| self.knots.get(i)),
             self.knots.get(next),
@@ -122,9 +131,11 @@ impl Course<'_> {
     /// Where its value changes direction between two shares of arc length: spans of places and values.
     pub(crate) fn turns(&self, from: f64, to: f64) -> impl Iterator<Item = [[f64; 2]; 2]> {
         let scale = f64::from(self.scale);
-        let knots = self.knots.iter().map(|knot| knot.map(f64::from));
-        let inner = knots.filter(move |knot| knot[0] > from && knot[0] < to);
-        let ends = [[from, self.value(from)], [to, self.value(to)]];
+        let next = self.next(from);
+        let behind = self.knots.get(next..).unwrap_or(&[]).iter();
+        let behind = behind.map(|knot| knot.map(f64::from));
+        let inner = behind.take_while(move |knot| knot[0] < to);
+        let ends = [[from, self.value_before(next, from)], [to, self.value(to)]];
         let mut last = ends[0];
         inner
             .map(move |[at, share]| [at, share * scale])

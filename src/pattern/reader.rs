@@ -9,7 +9,7 @@ use super::tracks::TrackRef;
 pub(super) struct Reader<'p> {
     pub pattern: &'p Pattern,
     scratch: Option<u32>,
-    strand: Option<(TrackRef<'p>, Course<'p>)>,
+    pub strand: Option<(TrackRef<'p>, Course<'p>)>,
     /// Of places on tracks: areas by class of a mm.
     pub per_mm: Recent<ClassAreas>,
     /// Of ways along tracks: the same as the mean of each of so many equal steps.
@@ -41,27 +41,27 @@ impl<'p> Reader<'p> {
         }
     }
 
-    /// The same as [`Pattern::strand`].
+    /// Turns to the scratch of a piece, if there is one.
     #[inline]
-    pub(super) fn strand(&mut self, scratch: u32) -> Option<(TrackRef<'p>, Course<'p>)> {
-        if self.scratch != Some(scratch) {
-            self.scratch = Some(scratch);
-            self.strand = self.pattern.strand(scratch);
+    pub(super) fn turn_to(&mut self, number: usize) {
+        let piece = self.pattern.curves().pieces.get(number);
+        let scratch = piece.map(|piece| piece.scratch);
+        if self.scratch != scratch {
+            self.scratch = scratch;
+            self.strand = scratch.and_then(|scratch| self.pattern.strand(scratch));
         }
-        self.strand
     }
 
     /// The mean width of a piece, mm.
     pub(super) fn mean_width(&mut self, number: usize) -> f64 {
-        let curves = self.pattern.curves();
-        let scratch = curves.pieces.get(number).map(|piece| piece.scratch);
-        let Some((track, course)) = scratch.and_then(|scratch| self.strand(scratch)) else {
+        self.turn_to(number);
+        let Some((track, course)) = &self.strand else {
             return 0.0;
         };
-        course.mean(curves.at(number), |from, to| {
+        let widths = &mut self.widths;
+        course.mean(self.pattern.curves().at(number), |from, to| {
             let way = [from.min(to), from.max(to)];
-            let width = || track.mean_width(way[0], way[1]);
-            self.widths.get(&track, way, width)
+            widths.get(track, way, || track.mean_width(way[0], way[1]))
         })
     }
 }
