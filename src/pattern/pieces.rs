@@ -68,7 +68,8 @@ impl Chains {
         let first = self.pieces.len();
         let mut path = Growing {
             first_point: self.points.len(),
-            chains: self,
+            points: Arc::make_mut(&mut self.points),
+            pieces: Arc::make_mut(&mut self.pieces),
             scratch,
         };
         let mut before = 0.0;
@@ -81,7 +82,7 @@ impl Chains {
             }
             before += curve.length;
         }
-        if let Some(last) = Arc::make_mut(&mut self.pieces).last_mut() {
+        if let Some(last) = path.pieces.last_mut() {
             last.end_at = 1.0;
         }
         Curves {
@@ -118,7 +119,8 @@ impl Chains {
 
 /// A path whose pieces are being appended.
 struct Growing<'c> {
-    chains: &'c mut Chains,
+    points: &'c mut Vec<DVec2>,
+    pieces: &'c mut Vec<Piece>,
     first_point: usize,
     scratch: u32,
 }
@@ -149,12 +151,11 @@ impl Growing<'_> {
     }
 
     fn push(&mut self, control: &[DVec2], flags: u32, joins: bool, end_at: f64) {
-        let points = Arc::make_mut(&mut self.chains.points);
         // The first piece of a closed path is joined to points that are yet to come.
-        let shares = joins && points.len() > self.first_point;
-        let first = points.len() - usize::from(shares);
-        points.extend(&control[usize::from(shares)..]);
-        Arc::make_mut(&mut self.chains.pieces).push(Piece {
+        let shares = joins && self.points.len() > self.first_point;
+        let first = self.points.len() - usize::from(shares);
+        self.points.extend(&control[usize::from(shares)..]);
+        self.pieces.push(Piece {
             place: u32::try_from(first).unwrap_or(0) | flags | if joins { JOINED } else { 0 },
             scratch: self.scratch,
             end_at: crate::single(end_at),
