@@ -6,6 +6,7 @@ use super::closest::{LengthShares, bezier, tangent};
 use super::palette::MOST_CLASSES;
 use super::query::Reach;
 use super::raster::cell_number;
+use super::reader::{Reader, Recent};
 use super::tracks::TrackRef;
 use crate::single;
 use glam::DVec2;
@@ -17,7 +18,7 @@ const CHORD_RAD: f64 = 0.1;
 const MOST_CHORDS: f64 = 512.0;
 
 /// Steps of a scratch's way from one turn of its course to the next.
-const STEPS: usize = 3;
+pub(super) const STEPS: usize = 3;
 
 /// Corners turn by less than three times this if their legs' cross product is this share of the dot product: the angle
 /// is about that share.
@@ -64,15 +65,16 @@ struct Visible {
     is_even: bool,
 }
 
-impl Pattern {
+impl Reader<'_> {
     /// Calls `visit` with the chords of a piece and of its caps; with none, or few, of those that are not `within`.
     pub(super) fn for_each_chord(
-        &self,
+        &mut self,
         number: usize,
         within: Option<&Reach<'_>>,
         mut visit: impl FnMut(&Chord<'_>),
     ) {
-        let curves = self.curves();
+        let pattern = self.pattern;
+        let curves = pattern.curves();
         let is_beside = |reach: &Reach<'_>| {
             let control = curves.control(number).map(|uv| reach.place(uv));
             reach.footprint.is_beside(&control)
@@ -80,23 +82,26 @@ impl Pattern {
         if within.is_some_and(is_beside) {
             return;
         }
-        let Some((track, course)) = curves
-            .pieces
-            .get(number)
-            .and_then(|piece| self.strand(piece.scratch))
-        else {
+        self.turn_to(number);
+        let Self {
+            strand,
+            per_mm: known_areas,
+            steps: known_steps,
+            ..
+        } = self;
+        let Some((track, course)) = strand else {
             return;
         };
         let (control, [from, to]) = (curves.control(number), curves.at(number));
-        let scaled = control.map(|p| p * self.units_per_uv);
-        let visible = Visible::of(self.visible(number));
+        let scaled = control.map(|p| p * pattern.units_per_uv);
+        let visible = Visible::of(pattern.visible(number));
         let turn_rad = turn_rad(&scaled);
         let (mut start, mut first_t) = (control[0], 0.0);
         // Between two turns of its course the cross-section changes one way.
         for [[before, first], [after, last]] in course.turns(from, to) {
             let at = [before, after].map(|at| (at - from) / (to - from));
             let (span, last_t) = match first == last && after == to {
-                true => (Span::Even(per_mm(&track, first)), 1.0),
+                true => (Span::even(track, first, known_areas), 1.0),
                 false => {
                     let lengths = LengthShares::of(&scaled);
                     let last_t = if after < to {
@@ -104,17 +109,24 @@ impl Pattern {
                     } else {
                         1.0
                     };
-                    (Span::of(&track, lengths, at, [first, last]), last_t)
+                    let values = [first, last];
+                    let span = Span::of(track, lengths, at, values, known_areas, known_steps);
+                    (span, last_t)
                 }
             };
             let part = last_t - first_t;
             let count = number_of(part * turn_rad / CHORD_RAD, MOST_CHORDS);
             for i in 0..count {
                 let t = [i, i + 1].map(|i| first_t + part * f64::from(i) / f64::from(count));
-                let ends = [start, bezier(&control, t[1])];
-                start = ends[1];
-                let travel = (ends[1] - ends[0]) * self.units_per_uv;
-                let length_mm = travel.length() * self.mm_per_scene_unit;
+                let end = if t[1] < 1.0 {
+                    bezier(&control, t[1])
+                } else {
+                    control[3]
+                };
+                let ends = [start, end];
+                start = end;
+                let travel = (ends[1] - ends[0]) * pattern.units_per_uv;
+                let length_mm = travel.length() * pattern.mm_per_scene_unit;
                 visit(&Chord {
                     ends,
                     travel,
@@ -123,9 +135,11 @@ impl Pattern {
             }
             first_t = last_t;
         }
-        self.for_each_cap_chord(number, within, f64::INFINITY, &mut visit);
+        pattern.for_each_cap_chord(number, within, f64::INFINITY, &mut visit);
     }
+}
 
+impl Pattern {
     /// Caps count in a crowd as so much of their scratch's own cross-section, across each sector's axis, as far as they do
     /// not stand by themselves beside what is so thin.
     pub(super) fn for_each_cap_chord(
@@ -198,23 +212,26 @@ impl Chord<'_> {
 }
 
 impl Span {
+    fn even(track: &TrackRef<'_>, value: f64, known: &mut Recent<ClassAreas>) -> Self {
+        Self::Even(known.get(track, [value; 2], || per_mm(track, value)))
+    }
+
     fn of(
         track: &TrackRef<'_>,
         lengths: LengthShares,
         at: [f64; 2],
         [first, last]: [f64; 2],
+        known_areas: &mut Recent<ClassAreas>,
+        known_steps: &mut Recent<[ClassAreas; STEPS]>,
     ) -> Self {
-        let step = (last - first) / STEPS as f64;
-        if step.abs() <= track.least_step() {
-            return Self::Even(per_mm(track, 0.5 * (first + last)));
+        let way = [first.min(last), first.max(last)];
+        if way[1] - way[0] <= STEPS as f64 * track.least_step() {
+            return Self::even(track, 0.5 * (first + last), known_areas);
         }
-        let mut before = track.areas_to(first);
-        let steps = core::array::from_fn(|i| {
-            let upto = track.areas_to(first + step * (i + 1) as f64);
-            let before = core::mem::replace(&mut before, upto);
-            let mean = |class: usize| single(((upto[class] - before[class]) / step).max(0.0));
-            core::array::from_fn(mean)
-        });
+        let mut steps = known_steps.get(track, way, || steps(track, way));
+        if first > last {
+            steps.reverse();
+        }
         Self::Changing { lengths, at, steps }
     }
 
@@ -236,6 +253,18 @@ impl Span {
     }
 }
 
+/// The mean areas by class of a mm in each of so many equal steps from one place on a track to another.
+fn steps(track: &TrackRef<'_>, [low, high]: [f64; 2]) -> [ClassAreas; STEPS] {
+    let step = (high - low) / STEPS as f64;
+    let mut before = track.areas_to(low);
+    core::array::from_fn(|i| {
+        let upto = track.areas_to(low + step * (i + 1) as f64);
+        let before = core::mem::replace(&mut before, upto);
+        let mean = |class: usize| single(((upto[class] - before[class]) / step).max(0.0));
+        core::array::from_fn(mean)
+    })
+}
+
 /// Adds areas so many times.
 fn add(sum: &mut ClassAreas, areas: &ClassAreas, times: f32) {
     for (sum, area) in sum.iter_mut().zip(areas) {
@@ -247,10 +276,11 @@ fn add(sum: &mut ClassAreas, areas: &ClassAreas, times: f32) {
 fn shares_of<const PARTS: usize>(stretch: [f64; 2]) -> [f64; PARTS] {
     let [from, to] = stretch.map(|place| place * PARTS as f64);
     let length = to - from;
+    let per_length = 1.0 / length;
     core::array::from_fn(|part| {
         if length > 0.0 {
             let start = part as f64;
-            (to.min(start + 1.0) - from.max(start)).max(0.0) / length
+            (to.min(start + 1.0) - from.max(start)).max(0.0) * per_length
         } else {
             // Nowhere: where it lies counts wholly.
             f64::from(u8::from(
@@ -350,7 +380,7 @@ mod tests {
         for piece in first..=last {
             let (mut whole, mut parts, mut longest) = (0.0, 0.0, 0.0_f64);
             let sum = |areas: ClassAreas| f64::from(areas.iter().sum::<f32>());
-            pattern.for_each_chord(piece, None, |chord| {
+            Reader::new(&pattern).for_each_chord(piece, None, |chord| {
                 if chord.ends[0] == chord.ends[1] {
                     return;
                 }

@@ -99,14 +99,28 @@ impl Course<'_> {
 
     /// Its value at a share of arc length.
     pub(crate) fn value(&self, at: f64) -> f64 {
-        let next = self.knots.partition_point(|knot| f64::from(knot[0]) <= at);
+        self.value_before(self.next(at), at)
+    }
+
+    /// The number of the first knot behind a share of arc length.
+    fn next(&self, at: f64) -> usize {
+        self.knots.partition_point(|knot| f64::from(knot[0]) <= at)
+    }
+
+    /// Its value at a place before this knot and behind the one before it.
+    fn value_before(&self, next: usize, at: f64) -> f64 {
         let share = match (
             next.checked_sub(1).and_then(|i| self.knots.get(i)),
             self.knots.get(next),
         ) {
             (Some(a), Some(b)) => {
                 let ([a, at_a], [b, at_b]) = (a.map(f64::from), b.map(f64::from));
-                at_a + (at_b - at_a) * ((at - a) / (b - a))
+                // Most of the way is even.
+                if at_a == at_b {
+                    at_a
+                } else {
+                    at_a + (at_b - at_a) * ((at - a) / (b - a))
+                }
             }
             (Some(only), None) | (None, Some(only)) => only[1].into(),
             (None, None) => 0.0,
@@ -117,9 +131,11 @@ impl Course<'_> {
     /// Where its value changes direction between two shares of arc length: spans of places and values.
     pub(crate) fn turns(&self, from: f64, to: f64) -> impl Iterator<Item = [[f64; 2]; 2]> {
         let scale = f64::from(self.scale);
-        let knots = self.knots.iter().map(|knot| knot.map(f64::from));
-        let inner = knots.filter(move |knot| knot[0] > from && knot[0] < to);
-        let ends = [[from, self.value(from)], [to, self.value(to)]];
+        let next = self.next(from);
+        let behind = self.knots.get(next..).unwrap_or(&[]).iter();
+        let behind = behind.map(|knot| knot.map(f64::from));
+        let inner = behind.take_while(move |knot| knot[0] < to);
+        let ends = [[from, self.value_before(next, from)], [to, self.value(to)]];
         let mut last = ends[0];
         inner
             .map(move |[at, share]| [at, share * scale])
@@ -136,14 +152,15 @@ impl Course<'_> {
         )
     }
 
-    /// The mean width of the cross-sections between two shares of arc length, mm.
-    pub(crate) fn mean_width(&self, track: &TrackRef<'_>, [from, to]: [f64; 2]) -> f64 {
+    /// The mean between two shares of arc length of something that has this mean on an even way between two values.
+    pub(crate) fn mean(&self, [from, to]: [f64; 2], mut mean: impl FnMut(f64, f64) -> f64) -> f64 {
         if to <= from || self.is_constant() {
-            return track.width(self.value(from));
+            let value = self.value(from);
+            return mean(value, value);
         }
         let spans = self.turns(from, to);
-        let area = |[[at_a, a], [at_b, b]]: [[f64; 2]; 2]| (at_b - at_a) * track.mean_width(a, b);
-        spans.map(area).sum::<f64>() / (to - from)
+        let part = |[[at_a, a], [at_b, b]]: [[f64; 2]; 2]| (at_b - at_a) * mean(a, b);
+        spans.map(part).sum::<f64>() / (to - from)
     }
 
     /// How much the cross-section changes from one share of arc length to another, all to and fro counted.

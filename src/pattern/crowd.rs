@@ -3,8 +3,9 @@
 
 use super::chords::ClassAreas;
 use super::palette::{MOST_CLASSES, Palette};
+use super::raster::cell_number;
 use bytemuck::{Pod, Zeroable};
-use core::f64::consts::{PI, TAU};
+use core::f32::consts::{FRAC_PI_2, PI, TAU};
 use glam::DVec2;
 
 /// Directions of travel, once around. Directions within one are kept as their mean.
@@ -15,7 +16,7 @@ pub(crate) const MOST_ENTRIES: usize = KEYS;
 
 const KEYS: usize = MOST_CLASSES * DIRECTIONS;
 
-const STEP_RAD: f64 = TAU / DIRECTIONS as f64;
+const STEP_RAD: f64 = core::f64::consts::TAU / DIRECTIONS as f64;
 
 /// Scratched area by class and direction of travel.
 #[derive(Clone, Debug)]
@@ -55,7 +56,8 @@ impl Crowd {
 
     /// Adds scratched areas that travel along `travel` (any length).
     pub(super) fn add(&mut self, palette: &Palette, areas: ClassAreas, travel: DVec2) {
-        for (key, area_mm2, place) in keys(palette, areas, Heading::of(travel)) {
+        let is_symmetric = |class| palette.is_symmetric(class);
+        for (key, area_mm2, place) in keys(areas, Heading::of(travel), is_symmetric) {
             self.add_to(key, area_mm2, area_mm2 * place);
         }
     }
@@ -127,46 +129,59 @@ impl Crowd {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Heading {
     /// Once around.
-    whole: (usize, f32),
-    /// To and fro being one.
-    half: (usize, f32),
+    direction: usize,
+    place: f32,
 }
 
 impl Heading {
     /// Along `travel` (any length).
     pub(super) fn of(travel: DVec2) -> Self {
-        let turned = travel.y.atan2(travel.x);
-        let half = if turned < 0.0 { turned + PI } else { turned };
-        let whole = if turned < 0.0 { turned + TAU } else { turned };
-        Self {
-            whole: step(whole),
-            half: step(half),
-        }
+        let (direction, place) = step(angle(travel));
+        Self { direction, place }
     }
 }
 
 /// Keys of areas that travel one way, the area of each, and the place within the direction's step.
 pub(super) fn keys(
-    palette: &Palette,
     areas: ClassAreas,
     heading: Heading,
+    is_symmetric: impl Fn(usize) -> bool,
 ) -> impl Iterator<Item = (usize, f32, f32)> {
     let held = areas.into_iter().enumerate();
     held.filter(|(_, area_mm2)| *area_mm2 > 0.0)
         .map(move |(class, area_mm2)| {
-            let (direction, place) = match palette.is_symmetric(class) {
-                true => heading.half,
-                false => heading.whole,
+            // To and fro are one.
+            let direction = match is_symmetric(class) {
+                true => heading.direction % (DIRECTIONS / 2),
+                false => heading.direction,
             };
-            (class * DIRECTIONS + direction, area_mm2, place)
+            (class * DIRECTIONS + direction, area_mm2, heading.place)
         })
 }
 
+/// The angle of a direction, 0 to 2 pi, within 1e-5: a hundredth of what is kept of it (Hastings 1955).
+fn angle(DVec2 { x, y }: DVec2) -> f32 {
+    let (low, high) = (x.abs().min(y.abs()), x.abs().max(y.abs()));
+    let slope = crate::single(if high > 0.0 { low / high } else { 0.0 });
+    let square = slope * slope;
+    let fine = -0.085_133 + 0.020_835_1 * square;
+    let angle =
+        slope * (0.999_866 + square * (-0.330_299_5 + square * (0.180_141 + square * fine)));
+    let steep = if y.abs() > x.abs() {
+        FRAC_PI_2 - angle
+    } else {
+        angle
+    };
+    let turned = if x < 0.0 { PI - steep } else { steep };
+    if y < 0.0 { TAU - turned } else { turned }
+}
+
 /// The direction that an angle in 0 to 2 pi falls into, and its place within that step.
-fn step(angle: f64) -> (usize, f32) {
-    let at = angle / STEP_RAD;
-    let direction = floor(at).min(DIRECTIONS - 1);
-    (direction, crate::single(at - direction as f64 - 0.5))
+fn step(angle: f32) -> (usize, f32) {
+    const PER_RAD: f32 = DIRECTIONS as f32 / TAU;
+    let at = angle * PER_RAD;
+    let direction = (cell_number(at.into()) as usize).min(DIRECTIONS - 1);
+    (direction, at - direction as f32 - 0.5)
 }
 
 #[expect(

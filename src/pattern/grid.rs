@@ -5,7 +5,7 @@
 
 use super::lists::Lists;
 use super::pieces::Curves;
-use super::raster::{Extents, Raster, Touched, cell_number};
+use super::raster::{Extents, Outline, Raster, Touched, cell_number};
 use super::store::Store;
 use bytemuck::{Pod, Zeroable};
 use core::ops::ControlFlow;
@@ -92,12 +92,13 @@ impl Grid {
             cell
         };
         let cells: Vec<Cell> = counts.iter().map(cell).collect();
-        let parts = Lists::new(first as usize, curves.pieces.len(), |piece, sink| {
+        let parts = Lists::of_sources(first as usize, curves.pieces.len(), |piece, source| {
             let control = curves.control(piece);
-            raster.for_each_cell(&control, |number| {
+            let curve = Outline::of(&control);
+            raster.for_each_cell(&curve, |number| {
                 let Cell { first, side } = cells[number as usize];
                 let parts = raster.cell(number as usize).parted(side);
-                parts.for_each_cell(&control, |part| sink.put(first + part, self::number(piece)));
+                parts.for_each_cell(&curve, |part| source.lies_in(first + part));
             });
         });
         Self {
@@ -173,7 +174,7 @@ fn lists<'g>(starts: &[u32], entries: &'g [u32], [first, last]: [u32; 2]) -> &'g
 fn count_in_cells(curves: Curves<'_>, raster: Raster) -> Vec<u32> {
     let counts: Vec<AtomicU32> = (0..raster.count()).map(|_| AtomicU32::new(0)).collect();
     (0..curves.pieces.len()).into_par_iter().for_each(|piece| {
-        raster.for_each_cell(&curves.control(piece), |cell| {
+        raster.for_each_cell(&Outline::of(&curves.control(piece)), |cell| {
             counts[cell as usize].fetch_add(1, Ordering::Relaxed);
         });
     });

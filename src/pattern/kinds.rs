@@ -125,8 +125,8 @@ impl Kind {
         for key in scratch.keys {
             let value = value(key, self.law);
             self.span = [self.span[0].min(value), self.span[1].max(value)];
-            if let Err(place) = self.exact.binary_search_by(|known| known.total_cmp(&value))
-                && self.exact.len() < MOST_EXACT
+            if self.exact.len() < MOST_EXACT
+                && let Err(place) = self.exact.binary_search_by(|known| known.total_cmp(&value))
             {
                 self.exact.insert(place, value);
             }

@@ -5,10 +5,11 @@ use bytemuck::Zeroable;
 use bytemuck::allocation::zeroed_vec;
 use rayon::prelude::*;
 
-/// Cells are sorted in so many groups, each small enough for a processor's own memory.
+/// Cells are sorted in so many groups, each small enough for a processor's own memory; in more if cells are so many that
+/// their numbers in a group would take more than 16 bits.
 const GROUPS: usize = 256;
 
-/// Sources that are looked at in one go.
+/// Sources that are looked at in one go: their numbers in it take 16 bits.
 const PORTION: usize = 1 << 16;
 
 /// Items of each cell, in the order of their sources.
@@ -19,38 +20,82 @@ pub(crate) struct Lists<T> {
     pub items: Vec<T>,
 }
 
-/// Takes items of some sources, group by group.
+/// Takes items of some sources, group by group: the cell's number in its group, and the item.
 #[derive(Debug)]
 pub(crate) struct Sink<T> {
-    groups: Vec<Vec<(u32, T)>>,
+    groups: Vec<Vec<(u16, T)>>,
     shift: u32,
 }
 
 impl<T> Sink<T> {
     /// An item of a cell.
     pub(crate) fn put(&mut self, cell: u32, item: T) {
-        self.groups[(cell >> self.shift) as usize].push((cell, item));
+        let own = low_bits(cell as usize & ((1 << self.shift) - 1));
+        self.groups[(cell >> self.shift) as usize].push((own, item));
+    }
+}
+
+/// A source, for which cells are named that it lies in.
+#[derive(Debug)]
+pub(crate) struct Source<'s> {
+    sink: &'s mut Sink<u16>,
+    own: u16,
+}
+
+impl Source<'_> {
+    pub(crate) fn lies_in(&mut self, cell: u32) {
+        self.sink.put(cell, self.own);
+    }
+}
+
+impl Lists<u32> {
+    /// For each of so many cells the numbers of the sources, from 0 to `sources`, that `sort_in` says lie in it.
+    pub(crate) fn of_sources(
+        cells: usize,
+        sources: usize,
+        sort_in: impl Fn(usize, &mut Source<'_>) + Sync,
+    ) -> Self {
+        let put = |(): &mut (), source: usize, sink: &mut Sink<u16>| {
+            let own = low_bits(source % PORTION);
+            sort_in(source, &mut Source { sink, own });
+        };
+        let item = |portion, own| number(portion * PORTION) + u32::from(own);
+        Self::sorted(cells, sources, || (), put, item)
     }
 }
 
 impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
-    /// What `sort_in` puts into so many cells for each source from 0 to `sources`.
-    pub(crate) fn new(
+    /// What `sort_in` puts into so many cells for each source from 0 to `sources`. It is told what `begin` made for this
+    /// and some other sources.
+    pub(crate) fn new<R>(
         cells: usize,
         sources: usize,
-        sort_in: impl Fn(usize, &mut Sink<T>) + Sync,
+        begin: impl Fn() -> R + Sync,
+        sort_in: impl Fn(&mut R, usize, &mut Sink<T>) + Sync,
     ) -> Self {
-        let shift = cells.div_ceil(GROUPS).max(1).next_power_of_two().ilog2();
+        Self::sorted(cells, sources, begin, sort_in, |_, item| item)
+    }
+
+    /// The same of what `item` makes of that, and of the number of the portion that the source lies in.
+    fn sorted<R, I: Copy + Send + Sync>(
+        cells: usize,
+        sources: usize,
+        begin: impl Fn() -> R + Sync,
+        sort_in: impl Fn(&mut R, usize, &mut Sink<I>) + Sync,
+        item: impl Fn(usize, I) -> T + Sync,
+    ) -> Self {
+        let per_group = cells.div_ceil(GROUPS).max(1).next_power_of_two();
+        let shift = per_group.ilog2().min(u16::BITS);
         let count = cells.div_ceil(1 << shift);
         let expected = 2 * sources.min(PORTION) / count.max(1);
-        let portions: Vec<Sink<T>> = (0..sources.div_ceil(PORTION))
+        let portions: Vec<Sink<I>> = (0..sources.div_ceil(PORTION))
             .into_par_iter()
             .map(|portion| {
                 let groups = (0..count).map(|_| Vec::with_capacity(expected)).collect();
-                let mut sink = Sink { groups, shift };
+                let (mut sink, mut reader) = (Sink { groups, shift }, begin());
                 let first = portion * PORTION;
                 for source in first..(first + PORTION).min(sources) {
-                    sort_in(source, &mut sink);
+                    sort_in(&mut reader, source, &mut sink);
                 }
                 sink
             })
@@ -72,8 +117,13 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
             before += number(length);
         }
         let groups = groups.into_par_iter().enumerate();
+        let item = &item;
         groups.for_each(|(group, (before, starts, items))| {
-            let all = || portions.iter().flat_map(|sink| &sink.groups[group]);
+            let of_portion = |portion: usize| {
+                let held = portions[portion].groups[group].iter();
+                held.map(move |&(cell, held)| (usize::from(cell), item(portion, held)))
+            };
+            let all = || (0..portions.len()).flat_map(of_portion);
             sort(before, starts, items, all);
         });
         lists.starts[cells] = before;
@@ -86,7 +136,8 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
             starts: vec![0; cells + 1],
             items: zeroed_vec(items.len()),
         };
-        sort(0, &mut lists.starts, &mut lists.items, || items.iter());
+        let all = || items.iter().map(|&(cell, item)| (cell as usize, item));
+        sort(0, &mut lists.starts, &mut lists.items, all);
         lists.starts[cells] = number(items.len());
         lists
     }
@@ -97,18 +148,15 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
     }
 }
 
-/// Sorts the items of neighbouring cells, `before` which there are so many others; a power of two of cells, or all.
-fn sort<'a, T: Copy + 'a, I: Iterator<Item = &'a (u32, T)>>(
+/// Sorts the items of neighbouring cells, counted from the first of them, `before` which there are so many others.
+fn sort<T, I: Iterator<Item = (usize, T)>>(
     before: u32,
     starts: &mut [u32],
     sorted: &mut [T],
     items: impl Fn() -> I,
 ) {
-    // Cells count from the first of the group, at a multiple of its size.
-    let size = starts.len().next_power_of_two();
-    let own = |cell: u32| cell as usize & (size - 1);
     for (cell, _) in items() {
-        starts[own(*cell)] += 1;
+        starts[cell] += 1;
     }
     let mut next = before;
     for start in &mut *starts {
@@ -116,10 +164,18 @@ fn sort<'a, T: Copy + 'a, I: Iterator<Item = &'a (u32, T)>>(
     }
     let mut next = starts.to_vec();
     for (cell, item) in items() {
-        let place = &mut next[own(*cell)];
-        sorted[(*place - before) as usize] = *item;
+        let place = &mut next[cell];
+        sorted[(*place - before) as usize] = item;
         *place += 1;
     }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the rest is known by the group or the portion"
+)]
+fn low_bits(number: usize) -> u16 {
+    number as u16
 }
 
 #[cfg(test)]
@@ -131,12 +187,17 @@ mod tests {
     fn items_come_back() {
         for cells in [1, 5, 1000, 5000] {
             let place = |source: usize| (source * 7919 + 13) % cells;
-            let lists = Lists::new(cells, 200_000, |source, sink| {
-                sink.put(u32::try_from(place(source)).unwrap(), source);
-                if source % 3 == 0 {
-                    sink.put(0, source);
-                }
-            });
+            let lists = Lists::new(
+                cells,
+                200_000,
+                || (),
+                |(), source, sink| {
+                    sink.put(u32::try_from(place(source)).unwrap(), source);
+                    if source % 3 == 0 {
+                        sink.put(0, source);
+                    }
+                },
+            );
             assert_eq!(lists.items.len(), 200_000 + 66_667);
             for cell in 0..cells {
                 let truth = (0..200_000).flat_map(|source| {

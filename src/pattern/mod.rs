@@ -33,6 +33,7 @@ mod prefilter;
 mod profile;
 mod query;
 mod raster;
+mod reader;
 mod region;
 mod runs;
 mod scratch;

@@ -9,6 +9,7 @@ use super::palette::Palette;
 use super::pieces::{Curves, Piece};
 use super::prefilter::Pyramid;
 use super::query::Candidates;
+use super::reader::Reader;
 use super::store::Store;
 use super::tracks::{Extent, TrackRef, Tracks};
 use crate::brdf::{Finish, Hosted};
@@ -131,9 +132,9 @@ impl Pattern {
             .into_par_iter()
             .map(|portion| {
                 let mut areas = vec![0.0; self.tracks.station_count()];
-                let first = portion * portion_size;
+                let (first, mut reader) = (portion * portion_size, Reader::new(self));
                 for scratch in first..self.strands.len().min(first + portion_size) {
-                    self.add_areas(scratch, &mut areas);
+                    self.add_areas(&mut reader, scratch, &mut areas);
                 }
                 areas
             })
@@ -148,7 +149,7 @@ impl Pattern {
     }
 
     /// Adds one scratch's area.
-    fn add_areas(&self, scratch: usize, areas: &mut [f64]) {
+    fn add_areas(&self, reader: &mut Reader<'_>, scratch: usize, areas: &mut [f64]) {
         // Of many, one place each says as much.
         let most = if self.strands.len() < MANY { 4 } else { 1 };
         let number = u32::try_from(scratch).unwrap_or(u32::MAX);
@@ -160,10 +161,13 @@ impl Pattern {
             let places = if a == b { 1 } else { most };
             for i in 0..places {
                 let place = a + (b - a) * (f64::from(i) + 0.5) / f64::from(places);
-                let (station, mix) = track.locate(place);
-                let [left, right] = track.ends_of((station, mix)).map(f64::from);
+                let (station, mix, width) = reader.places.get(&track, [place; 2], || {
+                    let (station, mix) = track.locate(place);
+                    let [left, right] = track.ends_of((station, mix)).map(f64::from);
+                    (station, mix, right - left)
+                });
                 let length = whole * (to - from) / f64::from(places);
-                let (area, mix) = (length * (right - left), f64::from(mix));
+                let (area, mix) = (length * width, f64::from(mix));
                 let first = track.first_station + station;
                 areas[first] += area * (1.0 - mix);
                 if mix > 0.0 {

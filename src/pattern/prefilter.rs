@@ -7,12 +7,15 @@ use super::crowd::{Crowd, Heading, MOST_ENTRIES, Packed, keys};
 use super::hit::Hit;
 use super::laid::Laid;
 use super::lists::{Lists, Sink};
+use super::palette::MOST_CLASSES;
 use super::query::{Candidates, Reach};
 use super::raster::Raster;
+use super::reader::Reader;
 use super::seen::{Inserted, Seen};
 use super::store::Store;
 use arrayvec::ArrayVec;
 use bytemuck::{Pod, Zeroable};
+use core::array::from_fn;
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -48,9 +51,10 @@ impl Pattern {
         let mut crowd = Crowd::new();
         let mut scratches = Seen::<MOST_SCRATCHES>::new();
         let mut laid = Laid::new();
+        let mut reader = Reader::new(self);
         for &number in candidates.iter().rev() {
             let mut is_held = false;
-            self.for_each_chord(number as usize, Some(reach), |chord| {
+            reader.for_each_chord(number as usize, Some(reach), |chord| {
                 let ends = chord.ends.map(|uv| reach.place(uv));
                 if let Some(stretch) = reach.footprint.part_of_segment(ends) {
                     is_held = true;
@@ -196,13 +200,15 @@ impl Pyramid {
         }
         // Piece by piece, as they lie in memory, and sorted by cell afterwards.
         let pieces = pattern.curves().pieces.len();
-        let held = Lists::new(raster.count(), pieces, |number, sink| {
+        let symmetric: [bool; MOST_CLASSES] = from_fn(|class| pattern.palette.is_symmetric(class));
+        let begin = || Reader::new(pattern);
+        let held = Lists::new(raster.count(), pieces, begin, |reader, number, sink| {
             let mut piece = OfPiece::default();
-            pattern.for_each_chord(number, None, |chord| {
+            reader.for_each_chord(number, None, |chord| {
                 let heading = Heading::of(chord.travel);
                 raster.for_each_part(chord.ends, |cell, part| {
                     let areas = chord.areas(part);
-                    for held in keys(&pattern.palette, areas, heading) {
+                    for held in keys(areas, heading, |class| symmetric[class]) {
                         piece.add(cell, held, sink);
                     }
                 });

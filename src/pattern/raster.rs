@@ -2,6 +2,7 @@
 
 use super::pieces::{bounds, sagitta};
 use bytemuck::{Pod, Zeroable};
+use core::cell::OnceCell;
 use core::ops::RangeInclusive;
 use glam::DVec2;
 use rayon::prelude::*;
@@ -19,6 +20,27 @@ pub(crate) struct Raster {
 
 /// Columns and rows of cells.
 pub(super) type Touched = (RangeInclusive<u32>, RangeInclusive<u32>);
+
+/// A curve, and what rasters ask it for.
+pub(super) struct Outline<'c> {
+    control: &'c [DVec2; 4],
+    bounds: [DVec2; 2],
+    sagitta: OnceCell<f64>,
+}
+
+impl<'c> Outline<'c> {
+    pub(super) fn of(control: &'c [DVec2; 4]) -> Self {
+        Self {
+            control,
+            bounds: bounds(control),
+            sagitta: OnceCell::new(),
+        }
+    }
+
+    fn sagitta(&self) -> f64 {
+        *self.sagitta.get_or_init(|| sagitta(self.control))
+    }
+}
 
 /// What a raster for many things must span, and how large they are.
 #[derive(Clone, Copy, Debug)]
@@ -142,9 +164,12 @@ impl Raster {
 
     /// Where a cell is lowest and highest: where it ends, to the bit, its neighbours begin.
     pub(super) fn corners(&self, number: usize) -> [DVec2; 2] {
-        let columns = self.columns as usize;
-        let place = DVec2::new((number % columns) as f64, (number / columns) as f64);
-        [0.0, 1.0].map(|i| self.corner(place + i))
+        let number = u32::try_from(number).unwrap_or(u32::MAX);
+        let cell = DVec2::new(
+            (number % self.columns).into(),
+            (number / self.columns).into(),
+        );
+        [0.0, 1.0].map(|i| self.corner(cell + i))
     }
 
     /// So many columns and rows from the origin.
@@ -194,9 +219,9 @@ impl Raster {
     }
 
     /// Calls `visit` with the number of each cell that a curve may cross.
-    pub(super) fn for_each_cell(&self, control: &[DVec2; 4], visit: impl FnMut(u32)) {
-        let chord = [control[0], control[3]];
-        self.for_each_cell_of(chord, bounds(control), || sagitta(control), visit);
+    pub(super) fn for_each_cell(&self, curve: &Outline<'_>, visit: impl FnMut(u32)) {
+        let [start, .., end] = *curve.control;
+        self.for_each_cell_of([start, end], curve.bounds, || curve.sagitta(), visit);
     }
 
     /// Calls `visit` with the number of each cell that may lie within `reach` of a line.

@@ -37,12 +37,16 @@ impl Pattern {
     pub(super) fn cap_at(&self, number: usize, end: End) -> Option<CapAt<'_>> {
         let pieces = self.curves().pieces;
         let scratch = pieces.get(number)?.scratch;
-        let [first, last] = self.pieces_of(scratch);
-        let (outermost, share) = match end {
-            End::Start => (first, 0.0),
-            End::Stop => (last, 1.0),
+        let (neighbour, share) = match end {
+            End::Start => (number.checked_sub(1), 0.0),
+            End::Stop => (number.checked_add(1), 1.0),
         };
-        if number != outermost || pieces.get(first)?.is_joined() {
+        let is_own = |i: usize| pieces.get(i).is_some_and(|piece| piece.scratch == scratch);
+        if neighbour.is_some_and(is_own) {
+            return None;
+        }
+        let [first, _] = self.pieces_of(scratch);
+        if pieces.get(first)?.is_joined() {
             return None;
         }
         let track = self.strands.get(scratch as usize)?.track;

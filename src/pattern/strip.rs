@@ -53,6 +53,11 @@ impl Strip {
         let turned = |v: DVec2| DVec2::new(along.dot(v), along.perp_dot(v));
         let ends = [other.start, other.end].map(|end| turned(end - self.start));
         let across = other.half_width * turned(other.along()).perp();
+        // Most that lie in one line lie one behind the other.
+        let (low, high) = (ends[0].x.min(ends[1].x), ends[0].x.max(ends[1].x));
+        if low - across.x.abs() > length || high + across.x.abs() < 0.0 {
+            return None;
+        }
         let corners = [
             ends[0] - across,
             ends[1] - across,

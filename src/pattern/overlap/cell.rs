@@ -45,14 +45,16 @@ pub(super) fn look(part: &mut Part, list: &[u32], strips: &[Covered], within: [D
 
 fn look_in(part: &mut Part, crowd: &Crowd<'_>, strips: &[Covered]) {
     let list = crowd.list;
-    let strip = |i: u32| strips[i as usize].strip;
-    let per_side = crowd.parts_per_side(strip);
-    if list.len() > MANY && per_side >= 2.0 {
-        let parts = crowd.parts(per_side, strip);
-        let look = |part: &mut Part, number| look_in(part, &parts.part(number), strips);
-        let all = 0..parts.lists.starts.len() - 1;
-        all.into_par_iter().for_each_init(Part::default, look);
-        return;
+    if list.len() > MANY {
+        let strip = |i: u32| strips[i as usize].strip;
+        let per_side = crowd.parts_per_side(strip);
+        if per_side >= 2.0 {
+            let parts = crowd.parts(per_side, strip);
+            let look = |part: &mut Part, number| look_in(part, &parts.part(number), strips);
+            let all = 0..parts.lists.starts.len() - 1;
+            all.into_par_iter().for_each_init(Part::default, look);
+            return;
+        }
     }
     let mut cell = Cell::of(list, strips);
     let all: Vec<u32> = (0..list.len()).map(number).collect();

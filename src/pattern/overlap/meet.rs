@@ -1,11 +1,17 @@
 //! How later strips meet one, in single precision: one of them, or eight at a time.
 
 use super::cover::SHORT;
-use crate::lanes::Number;
+use crate::lanes::{Lanes, Number};
 use crate::single;
 
 /// Numbers by which a strip is seen.
 pub(super) const NUMBERS: usize = 11;
+
+/// Strips that lie side by side.
+pub(super) const EIGHT: usize = 8;
+
+/// Eight strips: ends, normal, offset, half width, length and way.
+pub(super) type Numbers = [[f32; EIGHT]; NUMBERS];
 
 /// On one side of every strip.
 pub(super) const NOWHERE: [f64; NUMBERS] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0];
@@ -73,17 +79,30 @@ impl<F> Window<F> {
 }
 
 impl<F: Number> Seen<F> {
-    /// By ends, normal, offset, half width, length and way.
+    /// One of eight strips, in each place.
     #[inline(always)]
-    pub(super) fn of([x, y, to_x, to_y, normal_x, normal_y, rest @ ..]: [F; NUMBERS]) -> Self {
+    pub(super) fn one<L: Lanes<F = F>>(lanes: L, numbers: &Numbers, place: usize) -> Self {
+        Self::of(numbers, |eight| lanes.all(eight[place]))
+    }
+
+    /// As many of eight strips as there are lanes, from one on.
+    #[inline(always)]
+    pub(super) fn some<L: Lanes<F = F>>(lanes: L, numbers: &Numbers, first: usize) -> Self {
+        Self::of(numbers, |eight| lanes.load(&eight[first..]))
+    }
+
+    /// Number by number, not by `map`: what is not written out stays in memory.
+    #[inline(always)]
+    fn of(numbers: &Numbers, number: impl Fn(&[f32; EIGHT]) -> F) -> Self {
+        let [x, y, to_x, to_y, normal_x, normal_y, rest @ ..] = numbers;
         let [offset, half_width, length, start, way] = rest;
         Self {
-            ends: [[x, y], [to_x, to_y]],
-            normal: [normal_x, normal_y],
-            offset,
-            half_width,
-            length,
-            way: [start, way],
+            ends: [[number(x), number(y)], [number(to_x), number(to_y)]],
+            normal: [number(normal_x), number(normal_y)],
+            offset: number(offset),
+            half_width: number(half_width),
+            length: number(length),
+            way: [number(start), number(way)],
         }
     }
 
@@ -119,14 +138,10 @@ impl<F: Number> Seen<F> {
             .min(-half + 4.0);
         let from = sure.if_above(zero, middle - half, zero);
         let to = sure.if_above(zero, middle + half, zero);
-        let before = [1.0, 2.0, 3.0].map(|i| to.min(near.like(i)) - from.min(near.like(i)));
+        let before = |i: f32| to.min(near.like(i)) - from.min(near.like(i));
+        let (first, second, third) = (before(1.0), before(2.0), before(3.0));
         Some(Meeting {
-            quarters: [
-                before[0],
-                before[1] - before[0],
-                before[2] - before[1],
-                to - from - before[2],
-            ],
+            quarters: [first, second - first, third - second, to - from - third],
             unsure: steep.if_above(zero, on_border, parallel),
         })
     }

@@ -10,9 +10,9 @@ mod meet;
 mod part;
 
 use super::Pattern;
-use super::grid::number;
-use super::lists::{Lists, Sink};
+use super::lists::Lists;
 use super::raster::Extents;
+use super::reader::Reader;
 use super::strip::Strip;
 use cover::Covered;
 use part::Part;
@@ -27,22 +27,28 @@ const MOST_CELLS_PER_STRIP: f64 = 4.0;
 /// What later scratches leave of the quarters of each piece, in 255ths: those that cover a part of one each do so
 /// independently of one another.
 pub(super) fn visible_shares(pattern: &Pattern) -> Vec<[u8; 4]> {
-    shares_left(pattern.curves().pieces.len(), |i| strip(pattern, i))
+    let begin = || Reader::new(pattern);
+    shares_left(pattern.curves().pieces.len(), begin, strip)
 }
 
 /// The same, of strips alone.
-fn shares_left(count: usize, strip: impl Fn(usize) -> Strip + Sync) -> Vec<[u8; 4]> {
-    let strips = (0..count).into_par_iter().map(|i| Covered::new(strip(i)));
+fn shares_left<R>(
+    count: usize,
+    begin: impl Fn() -> R + Sync + Send,
+    strip: impl Fn(&mut R, usize) -> Strip + Sync + Send,
+) -> Vec<[u8; 4]> {
+    let covered = |reader: &mut R, i| Covered::new(strip(reader, i));
+    let strips = (0..count).into_par_iter().map_init(begin, covered);
     let strips: Vec<Covered> = strips.collect();
     let Some(extents) = Extents::of(count, |i| strips[i].strip.bounds()) else {
         return Vec::new();
     };
     let raster = extents.raster(PER_CELL, MOST_CELLS_PER_STRIP);
-    let cells = Lists::new(raster.count(), count, |i, sink: &mut Sink<u32>| {
+    let cells = Lists::of_sources(raster.count(), count, |i, source| {
         let strip = &strips[i].strip;
         if strip.half_width > 0.0 {
-            let listed = |cell| sink.put(cell, number(i));
-            raster.for_each_cell_within(strip.half_width, [strip.start, strip.end], listed);
+            let line = [strip.start, strip.end];
+            raster.for_each_cell_within(strip.half_width, line, |cell| source.lies_in(cell));
         }
     });
     let look = |part: &mut Part, i: usize| {
@@ -53,18 +59,16 @@ fn shares_left(count: usize, strip: impl Fn(usize) -> Strip + Sync) -> Vec<[u8; 
     strips.par_iter().map(Covered::left).collect()
 }
 
-fn strip(pattern: &Pattern, number: usize) -> Strip {
+fn strip(reader: &mut Reader<'_>, number: usize) -> Strip {
+    let pattern = reader.pattern;
     let curves = pattern.curves();
     let [start, _, _, end] = curves.control(number);
     let scale = pattern.units_per_uv * pattern.mm_per_scene_unit;
-    let [from, to] = curves.at(number);
-    let strand = pattern.strand(curves.pieces[number].scratch);
-    let width = strand.map_or(0.0, |(track, course)| course.mean_width(&track, [from, to]));
     Strip {
         start: start * scale,
         end: end * scale,
         // Where it sets in, it covers less.
-        half_width: 0.5 * width,
+        half_width: 0.5 * reader.mean_width(number),
     }
 }
 
@@ -85,7 +89,7 @@ mod tests {
     }
 
     fn left_of(strips: &[Strip]) -> Vec<[u8; 4]> {
-        shares_left(strips.len(), |i| strips[i])
+        shares_left(strips.len(), || (), |(), i| strips[i])
     }
 
     /// What is left of each quarter by the rule, pair by pair with polygons.

@@ -3,7 +3,7 @@
 
 use super::cell::Cell;
 use super::cover::{HIDDEN, Left, cut};
-use super::meet::{NOWHERE, NUMBERS, PLACE, Seen, Window};
+use super::meet::{EIGHT, NOWHERE, Numbers, PLACE, Seen, Window};
 use crate::lanes::{Lanes, Number, in_lanes};
 use crate::single;
 use glam::DVec2;
@@ -11,9 +11,6 @@ use glam::DVec2;
 /// Strips of a part that are compared with all others. Of more, every so manyth counts for its neighbours, so that
 /// heaps take no longer than they must.
 const MOST: usize = 128;
-
-/// Strips that lie side by side.
-const EIGHT: usize = 8;
 
 /// Strips of a part.
 #[derive(Default)]
@@ -27,7 +24,7 @@ pub(super) struct Part {
 /// Eight strips, number by number.
 #[derive(Clone)]
 struct Block {
-    numbers: [[f32; EIGHT]; NUMBERS],
+    numbers: Numbers,
     /// What is left of each quarter.
     left: [[f32; EIGHT]; 4],
 }
@@ -35,11 +32,12 @@ struct Block {
 impl Part {
     /// Takes from what is left of strips of a list what pairs say whose place lies in the box.
     pub(super) fn pairs(&mut self, cell: &mut Cell, list: &[u32], within: [DVec2; 2]) {
-        if list.len() > MOST {
-            return heap(cell, list, within);
-        }
         self.fill(cell, list, within);
-        in_lanes!(lanes => self.look(lanes, cell, list, within));
+        if list.len() > MOST {
+            in_lanes!(lanes => self.look_at_heap(lanes, cell, list, within));
+        } else {
+            in_lanes!(lanes => self.look(lanes, cell, list, within));
+        }
         for (i, &place) in list.iter().enumerate() {
             let block = &self.blocks[i / EIGHT];
             let left = &mut cell.left[place as usize];
@@ -50,10 +48,7 @@ impl Part {
     fn fill(&mut self, cell: &Cell, list: &[u32], [low, high]: [DVec2; 2]) {
         let (middle, half_size) = (0.5 * (low + high), 0.5 * (high - low));
         self.blocks.clear();
-        let nowhere = Block {
-            numbers: NOWHERE.map(|number| [single(number); EIGHT]),
-            left: [[1.0; EIGHT]; 4],
-        };
+        let nowhere = Block::of(NOWHERE.map(|number| [single(number); EIGHT]));
         self.blocks.resize(list.len().div_ceil(EIGHT), nowhere);
         // So much further that no place on the border is lost.
         let slack = 10.0 * PLACE * half_size.max_element();
@@ -88,72 +83,133 @@ impl Part {
 
     #[inline(always)]
     fn look<L: Lanes>(&mut self, lanes: L, cell: &mut Cell, list: &[u32], within: [DVec2; 2]) {
-        for (later, &place) in list.iter().enumerate().skip(1) {
-            let line = &cell.lines[place as usize];
-            let before = &cell.lines[list[later - 1] as usize];
-            // A scratch's own next piece does not cover it.
-            let is_next = before.number + 1 == line.number;
-            self.cover(lanes, later, later - usize::from(is_next));
-            for &i in &self.unsure {
-                let place = list[i] as usize;
-                cut(&mut cell.left[place], &cell.lines[place], line, within);
+        let window = self.window.map(|number| lanes.all(*number));
+        for later in 1..list.len() {
+            let other = Seen::one(lanes, &self.blocks[later / EIGHT].numbers, later % EIGHT);
+            let count = count_before(cell, list, later);
+            self.unsure.clear();
+            cover(
+                lanes,
+                &mut self.blocks,
+                count,
+                &other,
+                &window,
+                &mut self.unsure,
+            );
+            for &earlier in &self.unsure {
+                let [earlier, later] = [list[earlier], list[later]].map(|i| i as usize);
+                let left = &mut cell.left[earlier];
+                cut(left, &cell.lines[earlier], &cell.lines[later], within);
             }
         }
     }
 
-    /// Takes what one strip covers from what is left of the first `count`, but for those of which it is unsure.
+    /// The same of a list that is too long: eight after eight meet those next to them, and of all later ones so many that
+    /// stand for the others.
     #[inline(always)]
-    fn cover<L: Lanes>(&mut self, lanes: L, later: usize, count: usize) {
-        let block = &self.blocks[later / EIGHT];
-        let other = |number: &[f32; EIGHT]| lanes.all(number[later % EIGHT]);
-        let other = Seen::of(block.numbers.each_ref().map(other));
+    fn look_at_heap<L: Lanes>(
+        &mut self,
+        lanes: L,
+        cell: &mut Cell,
+        list: &[u32],
+        within: [DVec2; 2],
+    ) {
         let window = self.window.map(|number| lanes.all(*number));
-        self.unsure.clear();
-        for (first, block) in (0..count).step_by(EIGHT).zip(&mut self.blocks) {
-            for k in (0..EIGHT).step_by(L::WIDTH) {
-                let own = block.numbers.each_ref().map(|all| lanes.load(&all[k..]));
-                let Some(meeting) = Seen::of(own).met_by(&other, &window) else {
-                    continue;
+        for number in 0..self.blocks.len() {
+            let first = number * EIGHT;
+            let own = &list[first..list.len().min(first + EIGHT)];
+            let is_hidden = |left: &Left| left.iter().all(|left| *left < HIDDEN);
+            if own.iter().all(|&i| is_hidden(&cell.left[i as usize])) {
+                continue;
+            }
+            let numbers = self.blocks[number].numbers;
+            let [mut near, mut far] = [Block::of(numbers), Block::of(numbers)];
+            let mut unsure = [[[1.0; 4]; EIGHT]; 2];
+            let behind = list.len().min(first + EIGHT + 1);
+            let stride = (list.len() - behind).div_ceil(MOST).max(1);
+            let next = (first + 1..behind).map(|later| (later, true));
+            let others = (behind..list.len()).step_by(stride);
+            for (later, is_near) in next.chain(others.map(|later| (later, false))) {
+                let (block, unsure) = match is_near {
+                    true => (&mut near, &mut unsure[0]),
+                    false => (&mut far, &mut unsure[1]),
                 };
-                let is_earlier = |lane: usize| first + k + lane < count;
-                let counts = lanes.made(|lane| f32::from(u8::from(is_earlier(lane))));
-                for (left, share) in block.left.iter_mut().zip(meeting.quarters) {
-                    let rest = lanes.load(&left[k..]) * (-(share * counts) + 1.0);
-                    lanes.store(rest, &mut left[k..]);
+                let other = Seen::one(lanes, &self.blocks[later / EIGHT].numbers, later % EIGHT);
+                let count = (count_before(cell, list, later) - first).min(own.len());
+                let block = core::slice::from_mut(block);
+                self.unsure.clear();
+                cover(lanes, block, count, &other, &window, &mut self.unsure);
+                for &k in &self.unsure {
+                    let [a, b] = [own[k], list[later]].map(|i| &cell.lines[i as usize]);
+                    cut(&mut unsure[k], a, b, within);
                 }
-                if (meeting.unsure * counts).any() {
-                    let unsure = (0..L::WIDTH).filter(|&lane| meeting.unsure.lane(lane) > 0.0);
-                    let unsure = unsure.filter(|&lane| is_earlier(lane));
-                    self.unsure.extend(unsure.map(|lane| first + k + lane));
+            }
+            let all = (list.len() - behind) as f64;
+            let weight = single(all / (all / stride as f64).ceil().max(1.0));
+            for (quarter, left) in self.blocks[number].left.iter_mut().enumerate() {
+                for (k, left) in left.iter_mut().enumerate() {
+                    let [near, far] = [(&near, 0), (&far, 1)]
+                        .map(|(block, i)| block.left[quarter][k] * unsure[i][k][quarter]);
+                    // Much is not covered at all.
+                    *left = near * if far < 1.0 { far.powf(weight) } else { 1.0 };
                 }
             }
         }
     }
 }
 
-/// The same of a list that is too long.
-fn heap(cell: &mut Cell, list: &[u32], within: [DVec2; 2]) {
-    for (i, &place) in list.iter().enumerate() {
-        let place = place as usize;
-        let line = |j: usize| &cell.lines[list[j] as usize];
-        let later = (i + 1..list.len()).filter(|&j| line(j).number != line(i).number + 1);
-        let stride = (list.len() - i).div_ceil(MOST);
-        let mut left = cell.left[place];
-        if left.iter().all(|left| *left < HIDDEN) {
-            continue;
+impl Block {
+    /// Strips that nothing covers.
+    fn of(numbers: Numbers) -> Self {
+        Self {
+            numbers,
+            left: [[1.0; EIGHT]; 4],
         }
-        for j in later.step_by(stride) {
-            let mut one: Left = [1.0; 4];
-            cut(&mut one, line(i), line(j), within);
-            let weight = stride.min(list.len() - j);
-            let weight = single(weight as f64);
-            // Most pairs do not meet.
-            for (left, one) in left.iter_mut().zip(one).filter(|(_, one)| *one < 1.0) {
-                *left *= one.powf(weight);
+    }
+}
+
+/// Takes what a strip covers from what is left of the first `count` of others, but for those of which it is unsure.
+#[inline(always)]
+fn cover<L: Lanes>(
+    lanes: L,
+    blocks: &mut [Block],
+    count: usize,
+    strip: &Seen<L::F>,
+    window: &Window<L::F>,
+    unsure: &mut Vec<usize>,
+) {
+    for (first, block) in (0..count).step_by(EIGHT).zip(blocks) {
+        for k in (0..EIGHT).step_by(L::WIDTH) {
+            let own = Seen::some(lanes, &block.numbers, k);
+            let Some(meeting) = own.met_by(strip, window) else {
+                continue;
+            };
+            let count = count.saturating_sub(first + k);
+            let counts = match count >= L::WIDTH {
+                true => lanes.all(1.0),
+                false => lanes.made(|lane| f32::from(u8::from(lane < count))),
+            };
+            for quarter in 0..4 {
+                let left = &mut block.left[quarter][k..];
+                let rest = -(meeting.quarters[quarter] * counts) + 1.0;
+                lanes.store(lanes.load(left) * rest, left);
+            }
+            if (meeting.unsure * counts).any() {
+                for lane in 0..L::WIDTH.min(count) {
+                    if meeting.unsure.lane(lane) > 0.0 {
+                        unsure.push(first + k + lane);
+                    }
+                }
             }
         }
-        cell.left[place] = left;
     }
+}
+
+/// How many of a list one of it may cover: those before it, but a scratch's own next piece does not cover it.
+fn count_before(cell: &Cell, list: &[u32], place: usize) -> usize {
+    let number = |place: usize| cell.lines[list[place] as usize].number;
+    let is_next = number(place - 1) + 1 == number(place);
+    place - usize::from(is_next)
 }
 
 /// What of a line may lie in a box of this half size around the origin, from one share of it to another; all of one that
