@@ -21,7 +21,7 @@ use std::sync::Arc;
 const MAGIC: [u8; 8] = *b"STRIAE\r\n";
 
 /// Changes with the meaning of any byte.
-const VERSION: u32 = 5;
+const VERSION: u32 = 6;
 
 const BYTE_ORDER: u32 = 0x0102_0304;
 
@@ -243,7 +243,7 @@ fn check_header(file: &[u8]) -> Result<[Entry; SECTIONS]> {
         return refused("has a damaged header", WHOLE);
     }
     if head.version != VERSION {
-        return refused(format!("has version {}", head.version), "version 5");
+        return refused(format!("has version {}", head.version), "version 6");
     }
     if head.file_bytes != file.len() as u64 {
         let (stated, found) = (head.file_bytes, file.len());

@@ -63,13 +63,15 @@ pub(super) struct Station {
     first_vertex: u32,
 }
 
-/// Borders and axis of a sector, radians from travel, counter-clockwise from above.
+/// Borders and axis of a sector, radians from travel, counter-clockwise from above, and how wide it is at 1 mm along the
+/// axis, mm.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Wedge {
     pub from_rad: f32,
     pub to_rad: f32,
     pub axis_rad: f32,
+    spread: f32,
 }
 
 /// A sector of a cap.
@@ -120,10 +122,12 @@ impl EndCaps {
         });
         for sector in cap.sectors(half(run.len() - 5)) {
             let axis_rad = sector.axis_rad;
+            let borders = [sector.from_rad, sector.to_rad].map(|border| border - axis_rad);
             self.wedges.push(Wedge {
                 from_rad: single(sector.from_rad),
                 to_rad: single(sector.to_rad),
                 axis_rad: single(axis_rad),
+                spread: single(spread(borders)),
             });
             let behind = behind(run, offset_mm, axis_rad).into_iter();
             let points = behind.chain(sector.points);
@@ -268,14 +272,7 @@ impl CapSector<'_> {
 
     /// What it covers, mm².
     pub(crate) fn area_mm2(&self) -> f64 {
-        let Wedge {
-            from_rad,
-            to_rad,
-            axis_rad,
-        } = self.wedge;
-        let most = LONGEST_BORDER.atan();
-        let off = |border_rad: f32| f64::from(border_rad - axis_rad).clamp(-most, most).tan();
-        0.5 * self.outer_mm().powi(2) * (off(to_rad) - off(from_rad))
+        0.5 * self.outer_mm().powi(2) * f64::from(self.wedge.spread)
     }
 }
 
@@ -286,6 +283,7 @@ impl Wedge {
             from_rad: between(self.from_rad, other.from_rad),
             to_rad: between(self.to_rad, other.to_rad),
             axis_rad: between(self.axis_rad, other.axis_rad),
+            spread: between(self.spread, other.spread),
         }
     }
 
@@ -302,6 +300,13 @@ impl Wedge {
     pub(crate) fn axis(self, travel: DVec2) -> DVec2 {
         turned(travel, self.axis_rad)
     }
+}
+
+/// How wide a sector is at 1 mm along its axis, from which its borders lead away so far, radians.
+fn spread(borders_rad: [f64; 2]) -> f64 {
+    let most = LONGEST_BORDER.atan();
+    let [from, to] = borders_rad.map(|border| border.clamp(-most, most).tan());
+    to - from
 }
 
 fn turned(travel: DVec2, angle_rad: f32) -> DVec2 {

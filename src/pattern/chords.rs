@@ -3,12 +3,14 @@
 use super::Pattern;
 use super::caps::ENDS;
 use super::closest::{LengthShares, bezier, tangent};
+use super::crowd::{Heading, angle};
 use super::palette::MOST_CLASSES;
 use super::query::Reach;
 use super::raster::cell_number;
 use super::reader::{Reader, Recent};
 use super::tracks::TrackRef;
 use crate::single;
+use core::f32::consts::{FRAC_PI_2, TAU};
 use glam::DVec2;
 
 /// A chord turns no more than this: about what two directions of a crowd lie apart.
@@ -32,7 +34,7 @@ pub(super) struct Chord<'s> {
     /// In texture space.
     pub ends: [DVec2; 2],
     /// Along the scratch, in texture space times units per (u, v).
-    pub travel: DVec2,
+    pub heading: Heading,
     held: Held<'s>,
 }
 
@@ -129,7 +131,7 @@ impl Reader<'_> {
                 let length_mm = travel.length() * pattern.mm_per_scene_unit;
                 visit(&Chord {
                     ends,
-                    travel,
+                    heading: Heading::of(travel),
                     held: Held::Way(length_mm, t, &span, visible),
                 });
             }
@@ -169,15 +171,16 @@ impl Pattern {
             let left = rest * Visible::of(self.visible(number)).quarters[quarter];
             let scaled = control.map(|p| p * self.units_per_uv);
             let classes = track.classes(cap.place);
-            let travel = tangent(&scaled, cap.at);
+            let angle_rad = angle(tangent(&scaled, cap.at));
             for sector in cap.sectors() {
-                let axis = sector.wedge.axis(travel);
+                // Across its axis, less than half a turn away.
+                let turned = angle_rad + sector.wedge.axis_rad + FRAC_PI_2;
                 let area_mm2 = sector.area_mm2() * left;
                 let mut areas = ClassAreas::default();
                 add_shares(&mut areas, &classes, single(area_mm2));
                 visit(&Chord {
                     ends: [place; 2],
-                    travel: axis.perp(),
+                    heading: Heading::at(turned.rem_euclid(TAU)),
                     held: Held::Sector(areas),
                 });
             }
@@ -390,7 +393,7 @@ mod tests {
                     .windows(2)
                     .map(|w| sum(chord.areas([w[0], w[1]])))
                     .sum::<f64>();
-                longest = longest.max(chord.travel.length());
+                longest = longest.max(chord.ends[0].distance(chord.ends[1]));
             });
             assert!((parts / whole - 1.0).abs() < 5e-3, "{parts} and {whole}");
             let [from, to] = pattern.curves().at(piece);

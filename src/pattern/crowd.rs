@@ -54,10 +54,10 @@ impl Crowd {
         }
     }
 
-    /// Adds scratched areas that travel along `travel` (any length).
-    pub(super) fn add(&mut self, palette: &Palette, areas: ClassAreas, travel: DVec2) {
+    /// Adds scratched areas that travel one way.
+    pub(super) fn add(&mut self, palette: &Palette, areas: ClassAreas, heading: Heading) {
         let is_symmetric = |class| palette.is_symmetric(class);
-        for (key, area_mm2, place) in keys(areas, Heading::of(travel), is_symmetric) {
+        for (key, area_mm2, place) in keys(areas, heading, is_symmetric) {
             self.add_to(key, area_mm2, area_mm2 * place);
         }
     }
@@ -136,7 +136,12 @@ pub(super) struct Heading {
 impl Heading {
     /// Along `travel` (any length).
     pub(super) fn of(travel: DVec2) -> Self {
-        let (direction, place) = step(angle(travel));
+        Self::at(angle(travel))
+    }
+
+    /// At an angle of 0 to 2 pi.
+    pub(super) fn at(angle_rad: f32) -> Self {
+        let (direction, place) = step(angle_rad);
         Self { direction, place }
     }
 }
@@ -160,7 +165,7 @@ pub(super) fn keys(
 }
 
 /// The angle of a direction, 0 to 2 pi, within 1e-5: a hundredth of what is kept of it (Hastings 1955).
-fn angle(DVec2 { x, y }: DVec2) -> f32 {
+pub(super) fn angle(DVec2 { x, y }: DVec2) -> f32 {
     let (low, high) = (x.abs().min(y.abs()), x.abs().max(y.abs()));
     let slope = crate::single(if high > 0.0 { low / high } else { 0.0 });
     let square = slope * slope;
@@ -222,7 +227,7 @@ mod tests {
             let travel = DVec2::from_angle(f64::to_radians(degrees));
             let mut areas = ClassAreas::default();
             add_shares(&mut areas, &[(i, 0.25), (5, 0.75)], 3.7e-4);
-            crowd.add(&palette, areas, travel);
+            crowd.add(&palette, areas, Heading::of(travel));
         }
         let packed: Vec<Packed> = crowd.packed().collect();
         let mut again = Crowd::new();

@@ -61,7 +61,7 @@ impl Pattern {
                     let areas = chord.areas_left(stretch, |width_mm, mean| {
                         laid.lay_under(ends, stretch, width_mm).unwrap_or(mean)
                     });
-                    crowd.add(&self.palette, areas, chord.travel);
+                    crowd.add(&self.palette, areas, chord.heading);
                 }
             });
             if let Some(piece) = self
@@ -88,7 +88,7 @@ impl Pattern {
         for &number in candidates {
             self.for_each_cap_chord(number as usize, Some(reach), thin_mm, &mut |chord| {
                 let crowd = crowd.get_or_insert_with(Crowd::new);
-                crowd.add(&self.palette, chord.areas([0.0, 1.0]), chord.travel);
+                crowd.add(&self.palette, chord.areas([0.0, 1.0]), chord.heading);
             });
         }
     }
@@ -114,7 +114,7 @@ impl Pattern {
         let mut areas = ClassAreas::default();
         let classes = hit.track.classes(hit.place);
         add_shares(&mut areas, &classes, crate::single(area_mm2));
-        crowd.add(&self.palette, areas, travel);
+        crowd.add(&self.palette, areas, Heading::of(travel));
     }
 }
 
@@ -205,10 +205,9 @@ impl Pyramid {
         let held = Lists::new(raster.count(), pieces, begin, |reader, number, sink| {
             let mut piece = OfPiece::default();
             reader.for_each_chord(number, None, |chord| {
-                let heading = Heading::of(chord.travel);
                 raster.for_each_part(chord.ends, |cell, part| {
                     let areas = chord.areas(part);
-                    for held in keys(areas, heading, |class| symmetric[class]) {
+                    for held in keys(areas, chord.heading, |class| symmetric[class]) {
                         piece.add(cell, held, sink);
                     }
                 });
