@@ -1,0 +1,272 @@
+//! What a footprint holds, put into a shading point: scratches one by one, or as a crowd.
+
+use super::Shading;
+use crate::formation::MOST_LAYERS;
+use crate::pattern::{Candidates, Crossing, Crowd, Hit, Pattern, Reach, Region};
+use crate::scattering::eval::rest;
+use crate::scattering::flocks::{Flock, MOST_FLOCKS};
+use crate::scattering::relief::{MOST_RELIEFS, MOST_SLOTS, Relief};
+use crate::single;
+use arrayvec::ArrayVec;
+use core::ops::ControlFlow;
+use glam::DVec2;
+
+/// Parts that crossings may cut a run's share of the pixel into.
+const MOST_PARTS: usize = 8;
+
+/// Scratches that a footprint may hold for each to be looked at by itself.
+const MOST_ALONE: u32 = 16;
+
+/// Runs of scratch that are looked at one by one: more than are held, for later ones cut earlier ones away.
+const MOST_HITS: usize = 128;
+
+/// Most pixels have no more than so many. Room for all would be 100 KB of stack, which takes longer to be touched
+/// than a scratch to be shaded.
+const FEW_HITS: usize = 12;
+
+/// Beside many others, scratches up to this share of the footprint's thickness are thin: what later ones leave of one is
+/// measured, and taken from it evenly, and its caps count as a crowd. All of it from twice so many pieces on, none up to so
+/// many.
+const THIN: f64 = 0.0625;
+const FEW_PIECES: f64 = 4.0;
+
+/// A run that is larger by this share than the first one of the crowd stands alone; in between it does in part.
+const FADE: f64 = 0.3;
+
+impl Shading {
+    /// Adds all that the footprint holds; of too many to be looked at one by one there are no candidates.
+    pub(super) fn fill(
+        &mut self,
+        pattern: &Pattern,
+        reach: &Reach<'_>,
+        candidates: Option<&mut Candidates>,
+    ) {
+        match candidates {
+            Some(few)
+                if few.len() <= FEW_HITS
+                    && self.add_each::<FEW_HITS>(pattern, few, reach, FEW_HITS) => {}
+            Some(many) => self.add_many(pattern, many, reach),
+            None => self.add_as_crowd(pattern, &pattern.crowd(reach), reach),
+        }
+        self.share_out();
+    }
+
+    /// Adds more pieces than a few: as a crowd, unless they turn out to be of few scratches. Those that only shade the
+    /// pixel are no part of a crowd.
+    fn add_many(&mut self, pattern: &Pattern, candidates: &mut Candidates, reach: &Reach<'_>) {
+        candidates.sort_unstable();
+        self.clear();
+        let are_few = candidates.len() <= MOST_ALONE as usize;
+        let mut crowd = (!are_few).then(|| pattern.crowd_of(reach, candidates));
+        let alone = crowd.as_ref().is_none_or(|crowd| crowd.count <= MOST_ALONE);
+        if !alone || !self.add_each::<MOST_HITS>(pattern, candidates, reach, MOST_HITS / 4) {
+            let crowd = crowd.get_or_insert_with(|| pattern.crowd_of(reach, candidates));
+            self.add_as_crowd(pattern, crowd, reach);
+        }
+    }
+
+    fn add_as_crowd(&mut self, pattern: &Pattern, crowd: &Crowd, reach: &Reach<'_>) {
+        self.clear();
+        self.add_crowd(pattern, crowd, reach);
+        self.scratch_count = crowd.count;
+    }
+
+    /// Adds each run by itself, less what later ones cut away; the smallest ones as a crowd where there is no room.
+    /// False if there are more than `MOST` to be looked at, or a crowd finds no room: then some may have been added.
+    /// Of what only shades the pixel no more than `most_beside` count, not to crowd out what it holds.
+    #[inline(never)]
+    fn add_each<const MOST: usize>(
+        &mut self,
+        pattern: &Pattern,
+        candidates: &Candidates,
+        reach: &Reach<'_>,
+        most_beside: usize,
+    ) -> bool {
+        let mut hits: ArrayVec<Hit<'_>, MOST> = ArrayVec::new();
+        let (mut all, mut beside) = (true, 0);
+        let many = (candidates.len() as f64 / FEW_PIECES - 1.0).clamp(0.0, 1.0);
+        let thin_mm = THIN * many * reach.footprint.thickness();
+        let mut last = None;
+        let thin_caps = pattern.for_each_run(candidates, reach, thin_mm, &mut |hit| {
+            let is_beside = hit.is_beside();
+            beside += usize::from(is_beside);
+            if !is_beside {
+                self.scratch_count += u32::from(last != Some(hit.scratch));
+                last = Some(hit.scratch);
+            }
+            if !is_beside || beside <= most_beside {
+                all = hits.try_push(*hit).is_ok();
+            }
+            if all {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
+        });
+        if !all {
+            return false;
+        }
+        let mut crowd = None;
+        if thin_caps {
+            pattern.add_thin_caps(&mut crowd, candidates, reach, thin_mm);
+        }
+        match &hits[..] {
+            [] => {}
+            // Most pixels that hold any: there is nothing to be cut, and always room.
+            [hit] => {
+                self.add(
+                    pattern,
+                    hit,
+                    &[hit.region],
+                    single(hit.alone),
+                    reach.area_mm2,
+                );
+            }
+            hits => self.add_crossing::<MOST>(pattern, hits, reach, thin_mm, &mut crowd),
+        }
+        crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, reach))
+    }
+
+    /// Adds runs, each less what later ones cut away; the smallest ones to the crowd where there is no room.
+    #[inline(never)]
+    fn add_crossing<const MOST: usize>(
+        &mut self,
+        pattern: &Pattern,
+        hits: &[Hit<'_>],
+        reach: &Reach<'_>,
+        thin_mm: f64,
+        crowd: &mut Option<Crowd>,
+    ) {
+        // In place: room for all is not to be moved.
+        let mut covers: ArrayVec<Option<Region>, MOST> = ArrayVec::new();
+        covers.extend(hits.iter().map(Hit::cover));
+        let crossing = Crossing::new(hits, &covers);
+        let left = crossing.left_of_thin::<MOST>(thin_mm, reach.area_mm2);
+        let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
+        runs.extend(
+            covers
+                .iter()
+                .map(|cover| cover.as_ref().map_or(0.0, Region::area))
+                .enumerate(),
+        );
+        runs.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let room = MOST_SLOTS - pattern.palette.vertex_count();
+        let mut taken = 0;
+        let full = |&(k, &(i, _)): &(usize, &(usize, f64))| {
+            taken += hits[i].most_vertices();
+            k == MOST_RELIEFS || taken > room
+        };
+        let first_of_crowd = runs.iter().enumerate().find(full);
+        let first_of_crowd = first_of_crowd.map_or(0.0, |(_, run)| run.1);
+        for &(i, area) in &runs {
+            let (hit, left) = (&hits[i], left[i]);
+            // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
+            let alone = ((area / first_of_crowd - 1.0) / FADE).clamp(0.0, 1.0);
+            let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
+            let gain = single(alone * hit.alone);
+            let whole = reach.area_mm2;
+            let mut add = |parts: &[Region], area_mm2| {
+                let added = self.add(pattern, hit, parts, gain, area_mm2);
+                added.is_some()
+            };
+            let added = alone > 0.0
+                && if let Some(left) = left {
+                    add(&[hit.region], whole / left)
+                } else {
+                    let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
+                    parts.push(hit.region);
+                    crossing.cut(i, &mut parts, whole) && add(&parts, whole)
+                };
+            let rest = if added { 1.0 - alone } else { 1.0 };
+            if rest > 0.0 && area > 0.0 {
+                let crowd = crowd.get_or_insert_with(Crowd::new);
+                let left = left.unwrap_or_else(|| crossing.uncut_share(i));
+                pattern.add_run(crowd, hit, reach, rest * area * left * hit.alone);
+            }
+        }
+    }
+
+    /// Adds what is left of a run, `parts` of a footprint of so many mm², thinned by `gain`; nothing if there is no room.
+    fn add(
+        &mut self,
+        pattern: &Pattern,
+        hit: &Hit<'_>,
+        parts: &[Region],
+        gain: f32,
+        area_mm2: f64,
+    ) -> Option<()> {
+        if self.relief_count as usize == MOST_RELIEFS || !self.zones.has_room(hit.most_vertices()) {
+            return None;
+        }
+        let across = hit.across();
+        let densities = &mut self.zones.densities;
+        let weight = densities.add_regions(parts, hit.origin, across, area_mm2)?;
+        let mut numbers = [0; MOST_LAYERS + 1];
+        for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
+            *number = self.zones.finish(&pattern.hosts.found(&finish));
+        }
+        let vertices = self.zones.place(hit, &numbers);
+        let prepared = self
+            .zones
+            .prepare(vertices, across.as_vec2(), weight, self.view);
+        if let Some(mut relief) = prepared {
+            relief.gain = gain;
+            self.reliefs[self.relief_count as usize] = relief;
+            self.relief_count += 1;
+        }
+        Some(())
+    }
+
+    /// Adds scratches by cross-section and direction; false if there is no room for one of the cross-sections.
+    #[inline(never)]
+    fn add_crowd(&mut self, pattern: &Pattern, crowd: &Crowd, reach: &Reach<'_>) -> bool {
+        let fits = |coarser: &usize| crowd.flock_count(*coarser) <= MOST_FLOCKS;
+        let coarser = [1, 2, 4, 8, 16].into_iter().find(fits).unwrap_or(32);
+        let mut class = None;
+        for flock in crowd.flocks(coarser) {
+            let known = class.filter(|(class, _)| *class == flock.class);
+            let keep = || Some((flock.class, self.zones.keep_class(pattern, flock.class)?));
+            class = known.or_else(keep);
+            let Some((_, slots)) = class else {
+                return false;
+            };
+            let travel = reach.metric.to_mm * (flock.travel / pattern.units_per_uv);
+            let length = travel.length();
+            let across = DVec2::new(travel.y, -travel.x) / length;
+            let area_mm2 = flock.area_mm2 * length / pattern.mm_per_scene_unit;
+            self.flocks.push(&Flock {
+                across: across.as_vec2(),
+                slots,
+                share: single(area_mm2 / reach.area_mm2),
+                shown: 0.0,
+            });
+        }
+        true
+    }
+
+    /// Where scratches crowd, their shares are scaled to fill the pixel and no more.
+    pub(in crate::scattering) fn share_out(&mut self) {
+        let reliefs = &mut self.reliefs[..self.relief_count as usize];
+        let shown = |flock: Flock| {
+            flock.share * self.zones.seen_width(flock.slots, flock.across, self.view)
+        };
+        let crowd: f32 = self.flocks.iter().map(shown).sum();
+        let all = crowd + reliefs.iter().map(Relief::coverage).sum::<f32>();
+        // What a damaged file holds may overflow: such a point is an unscratched one.
+        if !all.is_finite() {
+            return self.clear();
+        }
+        // One scratch crowds none: in a whole pixel its relief may stand beyond the pixel's edges, and counts.
+        let alone = reliefs.len() == 1 && crowd == 0.0;
+        self.crowding = if alone { 1.0 } else { all.max(1.0) };
+        if self.crowding > 1.0 {
+            reliefs.iter_mut().for_each(|relief| relief.gain /= all);
+            self.flocks.scale(1.0 / all);
+        }
+        self.flocks.set_seen(crowd / self.crowding);
+        // An empty sum is -0.
+        self.coverage = (0.0 + all).clamp(0.0, 1.0);
+        let alone: f32 = reliefs.iter().map(Relief::coverage).sum();
+        self.seen = alone + self.flocks.seen() + rest(self.coverage);
+    }
+}
