@@ -189,9 +189,9 @@ impl<F: Number> Pairs<F> {
         }
     }
 
-    /// The same pairs in the frame of a zone whose normal is (x, 0, z).
+    /// The same pairs, component by component.
     #[inline(always)]
-    pub(crate) fn tilted(&self, normal: [f32; 2]) -> Local<F> {
+    pub(crate) fn local(&self) -> Local<F> {
         let like = |value| self.view_half.like(value);
         Local {
             view: Vector {
@@ -203,7 +203,12 @@ impl<F: Number> Pairs<F> {
             half: self.half,
             view_half: self.view_half,
         }
-        .tilted(normal)
+    }
+
+    /// The same pairs in the frame of a zone whose normal is (x, 0, z).
+    #[inline(always)]
+    pub(crate) fn tilted(&self, normal: [f32; 2]) -> Local<F> {
+        self.local().tilted(normal)
     }
 }
 

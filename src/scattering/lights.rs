@@ -5,10 +5,12 @@
 use super::abreast::{Light, Reflected};
 use super::eval::{ROUNDING, finite, rest};
 use super::many::MOST;
-use super::relief::{MOST_FINISHES, Relief, Zones};
+use super::relief::{MOST_FINISHES, MOST_SLOTS, Relief, Zones};
 use super::shading::Shading;
-use crate::brdf::{ACROSS_SURFACE, Pair, Pairs};
+use crate::brdf::{ACROSS_SURFACE, Facets, Pair, Pairs};
 use crate::lanes::{Lanes, Number, One, Vector};
+use arrayvec::ArrayVec;
+use core::ops::Range;
 use glam::{Vec2, Vec3};
 
 /// What is added up over all zones, for each light.
@@ -93,15 +95,7 @@ impl Shading {
         let left = lanes
             .all(1.0 - ROUNDING)
             .if_above(sums.taken, -sums.taken + 1.0, none);
-        let surface = Facet {
-            normal: [0.0, 1.0],
-            finish: 0,
-            seen: rest(self.coverage()),
-        };
-        let turned = pairs.turned(ACROSS_SURFACE);
-        self.add_facet(lanes, &surface, left, &turned, &mut sums);
-        let below = all_turned(directions, ACROSS_SURFACE);
-        self.add_density(lanes, &surface, &turned, below.as_ref(), &mut sums);
+        self.add_flat(lanes, left, &pairs, directions, &mut sums);
         let mut rgb = [none; 3];
         for (finish, lobe) in self.zones.finishes().iter().zip(sums.lobes) {
             if lobe.any() {
@@ -135,14 +129,68 @@ impl Shading {
         below: Option<&Pairs<L::F>>,
         sums: &mut Sums<L::F>,
     ) {
-        let zones = &self.zones;
         let pairs = pairs.turned(relief.across);
-        let below = all_turned(below, relief.across);
-        let (first, facets) = (relief.first as usize, relief.facets());
-        for slot in first..first + facets {
-            let facet = zones.facet(slot, relief.gain * zones.weight[slot]);
-            self.add_density(lanes, &facet, &pairs, below.as_ref(), sums);
+        let facets = relief.seen_facets();
+        let mut shares = Shares::new();
+        self.zones.add_seen(lanes, relief, &mut shares);
+        if let Some(below) = all_turned(below, relief.across) {
+            for pairs in [&pairs, &below] {
+                let local = pairs.local();
+                self.zones.each_finish(
+                    relief,
+                    facets,
+                    #[inline(always)]
+                    |number, normals, own| {
+                        let finish = self.zones.finish_of(number);
+                        let facets = Facets {
+                            normals,
+                            shares: &shares[own],
+                        };
+                        sums.density = sums.density + finish.seen_pdfs(lanes, &local, facets);
+                    },
+                );
+            }
         }
+        // Most lights come from above all slopes: then all that is seen is lit.
+        let taken = if relief.is_open_to_all(lanes, &pairs.light) {
+            lanes.all(relief.seen_taken)
+        } else {
+            self.leave_lit(lanes, relief, &pairs, &mut shares)
+        };
+        sums.taken = sums.taken + taken * relief.gain;
+        let local = pairs.local();
+        self.zones.each_finish(
+            relief,
+            facets,
+            #[inline(always)]
+            |number, normals, own| {
+                let finish = self.zones.finish_of(number);
+                let facets = Facets {
+                    normals,
+                    shares: &shares[own],
+                };
+                let sum = &mut sums.lobes[number as usize];
+                *sum = *sum + finish.lit_lobes(lanes, &local, facets);
+            },
+        );
+    }
+
+    /// Makes of the shares of a relief's facets that are seen those that are lit, too; returns how much of the flat surface is
+    /// hidden or dark, before thinning.
+    #[inline(always)]
+    fn leave_lit<L: Lanes>(
+        &self,
+        lanes: L,
+        relief: &Relief,
+        pairs: &Pairs<L::F>,
+        shares: &mut Shares<L::F>,
+    ) -> L::F {
+        let zones = &self.zones;
+        let (first, facets) = (relief.first as usize, relief.facets());
+        let [from, _] = relief.seen_facets();
+        let none = lanes.all(0.0);
+        let mut taken = none;
+        shares.iter_mut().for_each(|share| *share = none);
         for leftwards in [true, false] {
             let mut sweep = Sweep::new(lanes, &pairs.light, leftwards);
             if !sweep.own.any() {
@@ -153,16 +201,15 @@ impl Shading {
                 let slot = first + k;
                 let part = sweep.pass(zones.corners(slot));
                 if zones.weight[slot] > 0.0 {
-                    let lit = self.lit_weight(lanes, relief, slot, part, &pairs);
-                    let facet = zones.facet(slot, 0.0);
-                    self.add_facet(lanes, &facet, lit * sweep.own * relief.gain, &pairs, sums);
+                    let lit = self.lit_weight(lanes, relief, slot, part, pairs);
+                    let share = &mut shares[k - from];
+                    *share = *share + lit * sweep.own * relief.gain;
                 }
             }
-            let taken = zones
-                .densities
-                .taken(&relief.weight, sweep.flat_ends(relief.seen_flat));
-            sums.taken = sums.taken + taken * sweep.own * relief.gain;
+            let ends = sweep.flat_ends(relief.seen_flat);
+            taken = taken + zones.densities.taken(&relief.weight, ends) * sweep.own;
         }
+        taken
     }
 
     /// How much of the pixel the part of a facet is that is seen and lit.
@@ -193,42 +240,30 @@ impl Shading {
         some.if_above(none, to.if_above(from, part, none), hidden)
     }
 
-    /// Adds what a facet reflects, lit in these shares of the pixel.
+    /// Adds the flat surface, lit in these shares of the pixel.
     #[inline(always)]
-    fn add_facet<L: Lanes>(
+    fn add_flat<L: Lanes>(
         &self,
         lanes: L,
-        facet: &Facet,
         lit: L::F,
-        pairs: &Pairs<L::F>,
-        sums: &mut Sums<L::F>,
-    ) {
-        if lit.any() {
-            let finish = self.zones.finish_of(facet.finish);
-            let lobe = finish.lobes_cos(lanes, &pairs.tilted(facet.normal));
-            let none = lanes.all(0.0);
-            let sum = &mut sums.lobes[facet.finish as usize];
-            *sum = *sum + lit.if_above(none, lit * lobe, none);
-        }
-    }
-
-    /// Adds how often a facet's samples go to the lights, where that is asked for.
-    #[inline(always)]
-    fn add_density<L: Lanes>(
-        &self,
-        lanes: L,
-        facet: &Facet,
         pairs: &Pairs<L::F>,
         below: Option<&Pairs<L::F>>,
         sums: &mut Sums<L::F>,
     ) {
-        let Some(below) = below.filter(|_| facet.seen > 0.0) else {
+        let finish = self.zones.finish_of(0);
+        let normals: [&[f32]; 2] = [&[0.0], &[1.0]];
+        let turned = pairs.turned(ACROSS_SURFACE).local();
+        let shares = &[lit];
+        let flat = Facets { normals, shares };
+        sums.lobes[0] = sums.lobes[0] + finish.lit_lobes(lanes, &turned, flat);
+        let Some(below) = all_turned(below, ACROSS_SURFACE) else {
             return;
         };
-        let finish = self.zones.finish_of(facet.finish);
-        let above = finish.pdfs(lanes, &pairs.tilted(facet.normal));
-        let below = finish.pdfs(lanes, &below.tilted(facet.normal));
-        sums.density = sums.density + (above + below) * facet.seen;
+        let shares = &[lanes.all(rest(self.coverage()))];
+        let flat = Facets { normals, shares };
+        for pairs in [&turned, &below.local()] {
+            sums.density = sums.density + finish.seen_pdfs(lanes, pairs, flat);
+        }
     }
 }
 
@@ -244,20 +279,38 @@ fn all_turned<F: Number>(pairs: Option<&Pairs<F>>, across: Vec2) -> Option<Pairs
     }
 }
 
-/// A facet of one finish, and how much of it is seen.
-struct Facet {
-    normal: [f32; 2],
-    finish: u8,
-    seen: f32,
-}
+/// A share of the pixel for each facet of a relief that weighs anything.
+type Shares<F> = ArrayVec<F, MOST_SLOTS>;
 
 impl Zones {
-    fn facet(&self, slot: usize, seen: f32) -> Facet {
-        let x = self.normal_x[slot];
-        Facet {
-            normal: [x, (1.0 - x * x).max(0.0).sqrt()],
-            finish: self.finish[slot],
-            seen,
+    /// The shares that are seen.
+    #[inline(always)]
+    fn add_seen<L: Lanes>(&self, lanes: L, relief: &Relief, shares: &mut Shares<L::F>) {
+        let [from, to] = relief.seen_facets().map(|k| relief.first as usize + k);
+        for weight in &self.weight[from..to] {
+            shares.push(lanes.all(relief.gain * weight));
+        }
+    }
+
+    /// Visits facets of a relief, those side by side that have one finish together: its number, their normals' components, and
+    /// which of all these facets they are.
+    #[inline(always)]
+    fn each_finish(
+        &self,
+        relief: &Relief,
+        [from, to]: [usize; 2],
+        mut visit: impl FnMut(u8, [&[f32]; 2], Range<usize>),
+    ) {
+        let first = relief.first as usize;
+        let slots = first + from..first + to;
+        let xs = &self.normal_x[slots.clone()];
+        let mut zs: ArrayVec<f32, MOST_SLOTS> = ArrayVec::new();
+        zs.extend(xs.iter().map(|x| (1.0 - x * x).max(0.0).sqrt()));
+        let mut next = 0;
+        for alike in self.finish[slots].chunk_by(PartialEq::eq) {
+            let own = next..next + alike.len();
+            next = own.end;
+            visit(alike[0], [&xs[own.clone()], &zs[own.clone()]], own);
         }
     }
 

@@ -7,7 +7,7 @@ use super::footprint::{Densities, Weight};
 use super::visibility::{Across, horizon, part};
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
-use crate::lanes::{Lanes, Number, One};
+use crate::lanes::{Lanes, Number, One, Vector};
 use crate::pattern::{Hit, Layered, MOST_VERTICES, Pattern};
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
@@ -402,6 +402,18 @@ impl Relief {
     pub(super) fn is_open_to(&self, light: Across) -> bool {
         let [least, most] = self.open.map(|slope| slope * light.z);
         least < light.x && light.x < most
+    }
+
+    /// The same for lights side by side: whether it is open to all of them.
+    #[inline(always)]
+    pub(super) fn is_open_to_all<L: Lanes>(&self, lanes: L, light: &Vector<L::F>) -> bool {
+        let (none, one) = (lanes.all(0.0), lanes.all(1.0));
+        let [least, most] = self.open.map(|slope| light.z * slope);
+        // Also where it is no number.
+        let is_shut = light
+            .x
+            .if_above(least, most.if_above(light.x, none, one), one);
+        !is_shut.any()
     }
 
     /// How many facets it has.
