@@ -16,6 +16,7 @@
  *     striae_frame(), striae_frame_to_local()    per shading point: directions in the surface's own frame
  *     striae_shade()                             per shading point and view
  *     striae_eval()                              per light: BRDF times cosine
+ *     striae_shade_world(), _eval_world()        both with directions as the renderer has them: no frames to be turned into
  *     striae_sample()                            path tracers, per bounce: a light, its weight and density; for lights
  *     striae_eval_pdf(), _pdf_reverse()          chosen by others, BRDF times cosine and density, forwards and back
  *     striae_shade_many(), _eval_many(), ...     the same for whole arrays, several times as fast where points have many
@@ -2588,7 +2589,7 @@ enum StriaeStatus striae_eval_pdf_many(const struct StriaeShading *shadings,
                                        float *pdf);
 
 /**
- * striae_sample() for many numbers: of one point twice as fast as one by one, and the same within 1e-5. Never
+ * striae_sample() for many numbers: of one point nearly twice as fast as one by one, and the same within 1e-5. Never
  * allocates, locks or blocks; any number of threads at once.
  *
  * @param shadings points filled in by striae_shade() or striae_shade_many(), packed
