@@ -94,9 +94,4 @@ impl Hit<'_> {
         let [[other_start, _], [other_end, _]] = other.parting;
         self.scratch == other.scratch && (start == other_end || end == other_start)
     }
-
-    /// The part of a region that the run covers between two distances across.
-    pub(crate) fn covered(&self, across_mm: [f64; 2], region: &Region) -> Option<Region> {
-        region.within(&self.borders(across_mm))
-    }
 }

@@ -20,6 +20,7 @@ mod hosts;
 mod kinds;
 mod laid;
 mod layers;
+mod lines;
 mod lists;
 mod mesh;
 mod overlap;

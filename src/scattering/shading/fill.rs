@@ -24,10 +24,13 @@ const MOST_HITS: usize = 128;
 /// than a scratch to be shaded.
 const FEW_HITS: usize = 12;
 
-/// Beside many others, scratches up to this share of the footprint's thickness are thin: what later ones leave of one is
-/// measured, and taken from it evenly, and its caps count as a crowd. All of it from twice so many pieces on, none up to so
-/// many.
-const THIN: f64 = 0.0625;
+/// Scratches up to this share of the footprint's thickness are thin: what later ones take of one is taken evenly from all of
+/// its width.
+const THIN: f64 = 0.125;
+
+/// Beside many others the caps of scratches up to this share of it count as a crowd: all of it from twice so many pieces on,
+/// none up to so many.
+const THIN_CAPS: f64 = 0.0625;
 const FEW_PIECES: f64 = 4.0;
 
 /// A run that is larger by this share than the first one of the crowd stands alone; in between it does in part.
@@ -85,9 +88,9 @@ impl Shading {
         let mut hits: ArrayVec<Hit<'_>, MOST> = ArrayVec::new();
         let (mut all, mut beside) = (true, 0);
         let many = (candidates.len() as f64 / FEW_PIECES - 1.0).clamp(0.0, 1.0);
-        let thin_mm = THIN * many * reach.footprint.thickness();
+        let thin_caps_mm = THIN_CAPS * many * reach.footprint.thickness();
         let mut last = None;
-        let thin_caps = pattern.for_each_run(candidates, reach, thin_mm, &mut |hit| {
+        let thin_caps = pattern.for_each_run(candidates, reach, thin_caps_mm, &mut |hit| {
             let is_beside = hit.is_beside();
             beside += usize::from(is_beside);
             if !is_beside {
@@ -108,7 +111,7 @@ impl Shading {
         }
         let mut crowd = None;
         if thin_caps {
-            pattern.add_thin_caps(&mut crowd, candidates, reach, thin_mm);
+            pattern.add_thin_caps(&mut crowd, candidates, reach, thin_caps_mm);
         }
         match &hits[..] {
             [] => {}
@@ -122,7 +125,7 @@ impl Shading {
                     reach.area_mm2,
                 );
             }
-            hits => self.add_crossing::<MOST>(pattern, hits, reach, thin_mm, &mut crowd),
+            hits => self.add_crossing::<MOST>(pattern, hits, reach, &mut crowd),
         }
         crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, reach))
     }
@@ -134,14 +137,13 @@ impl Shading {
         pattern: &Pattern,
         hits: &[Hit<'_>],
         reach: &Reach<'_>,
-        thin_mm: f64,
         crowd: &mut Option<Crowd>,
     ) {
         // In place: room for all is not to be moved.
         let mut covers: ArrayVec<Option<Region>, MOST> = ArrayVec::new();
         covers.extend(hits.iter().map(Hit::cover));
         let crossing = Crossing::new(hits, &covers);
-        let left = crossing.left_of_thin::<MOST>(thin_mm, reach.area_mm2);
+        let thin_mm = THIN * reach.footprint.thickness();
         let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
         runs.extend(
             covers
@@ -159,7 +161,8 @@ impl Shading {
         let first_of_crowd = runs.iter().enumerate().find(full);
         let first_of_crowd = first_of_crowd.map_or(0.0, |(_, run)| run.1);
         for &(i, area) in &runs {
-            let (hit, left) = (&hits[i], left[i]);
+            let hit = &hits[i];
+            let [left, right] = hit.ends_mm;
             // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
             let alone = ((area / first_of_crowd - 1.0) / FADE).clamp(0.0, 1.0);
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
@@ -170,8 +173,8 @@ impl Shading {
                 added.is_some()
             };
             let added = alone > 0.0
-                && if let Some(left) = left {
-                    add(&[hit.region], whole / left)
+                && if right - left <= thin_mm {
+                    add(&[hit.region], whole / crossing.left_share(i, whole))
                 } else {
                     let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
                     parts.push(hit.region);
@@ -180,7 +183,7 @@ impl Shading {
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(Crowd::new);
-                let left = left.unwrap_or_else(|| crossing.uncut_share(i));
+                let left = crossing.left_share(i, whole);
                 pattern.add_run(crowd, hit, reach, rest * area * left * hit.alone);
             }
         }
