@@ -157,7 +157,7 @@ bool scene_car(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->mm_per_unit = 1.0;
     scene->target = vec(0.0, 2.0, -6.0);
     scene->exposure = 1.0;
-    scene->paths = 32;
+    scene->paths = 128;
     scene->most_indirect = 3.0;
     scene->add_lamps = add_lamps;
     scene->views[0] = (View){.name = "figure-12",
