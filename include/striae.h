@@ -2407,7 +2407,7 @@ enum StriaeStatus striae_sample(const struct StriaeShading *shading,
  * As striae_sample(), with the light in the renderer's frame.
  *
  * @param shading filled in by striae_shade()
- * @param frame the point's, from striae_frame()
+ * @param frame the point's, from striae_shade_world() or striae_frame()
  * @param u as for striae_sample()
  * @param sample receives the light, in the renderer's frame; a pdf of 0 if there is none
  */
@@ -2456,7 +2456,7 @@ enum StriaeStatus striae_eval_pdf(const struct StriaeShading *shading,
  * As striae_eval_pdf(), with the light in the renderer's frame.
  *
  * @param shading filled in by striae_shade()
- * @param frame the point's, from striae_frame()
+ * @param frame the point's, from striae_shade_world() or striae_frame()
  * @param light direction to the light in the renderer's frame, of any length above 0
  * @param evaluated receives both
  */

@@ -168,7 +168,7 @@ pub unsafe extern "C" fn striae_sample(
 /// As striae_sample(), with the light in the renderer's frame.
 ///
 /// @param shading filled in by striae_shade()
-/// @param frame the point's, from striae_frame()
+/// @param frame the point's, from striae_shade_world() or striae_frame()
 /// @param u as for striae_sample()
 /// @param sample receives the light, in the renderer's frame; a pdf of 0 if there is none
 /// cbindgen:ptrs-as-arrays=[[u;3]]
@@ -256,7 +256,7 @@ pub unsafe extern "C" fn striae_eval_pdf(
 /// As striae_eval_pdf(), with the light in the renderer's frame.
 ///
 /// @param shading filled in by striae_shade()
-/// @param frame the point's, from striae_frame()
+/// @param frame the point's, from striae_shade_world() or striae_frame()
 /// @param light direction to the light in the renderer's frame, of any length above 0
 /// @param evaluated receives both
 /// cbindgen:ptrs-as-arrays=[[light;3]]

@@ -107,7 +107,7 @@ bool scene_aluminium(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->mm_per_unit = PLATE.mm_per_unit;
     scene->target = vec(0.0, 0.0, PLATE.size_mm[2] / PLATE.mm_per_unit);
     scene->exposure = 1.0;
-    scene->paths = 32;
+    scene->paths = 96;
     scene->most_indirect = 2.0;
     scene->add_lamps = add_lamps;
     scene->views[0] = (View){.name = "figure-11",

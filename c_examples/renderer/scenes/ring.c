@@ -201,7 +201,7 @@ bool scene_ring(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     scene->mm_per_unit = 1.0;
     scene->target = vec(0.0, 0.0, HALF_WIDE_MM);
     scene->exposure = 1.1;
-    scene->paths = 32;
+    scene->paths = 96;
     scene->most_indirect = 0.5;
     scene->add_lamps = add_lamps;
     scene->views[0] = (View){.name = "figure-13",
