@@ -258,6 +258,24 @@ impl Pattern {
         Some((self.tracks.get(strand.track)?, course))
     }
 
+    /// Touches what the scratches of pieces are to be asked for next, as [`Curves::touch`] does.
+    pub(super) fn touch(&self, pieces: &[u32]) {
+        let touched = pieces.iter().fold(0, |touched, &piece| {
+            let scratch = self.pieces.get(piece as usize).map_or(0, |p| p.scratch);
+            let knot = self
+                .strands
+                .get(scratch as usize)
+                .map_or(0, |strand| strand.first_knot);
+            let [visible, ..] = self.visible(piece as usize);
+            let at = self
+                .knots
+                .get(knot as usize)
+                .map_or(0, |knot| knot[0].to_bits());
+            touched ^ at ^ u32::from(visible)
+        });
+        core::hint::black_box(touched);
+    }
+
     /// A scratch's arc length, scene units.
     pub(super) fn length_of(&self, scratch: u32) -> f64 {
         let strand = self.strands.get(scratch as usize);

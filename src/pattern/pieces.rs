@@ -191,6 +191,20 @@ impl Curves<'_> {
         }
     }
 
+    /// Touches what [`Self::control`] is to be asked for next. Where a million pieces lie all over memory, it gives many at
+    /// once sooner than one after another.
+    pub(crate) fn touch(&self, numbers: &[u32]) {
+        let touched = numbers.iter().fold(0, |touched, &number| {
+            let place = self
+                .pieces
+                .get(number as usize)
+                .map_or(0, |piece| piece.place);
+            let first = (place & !(LINE | JOINED)) as usize;
+            touched ^ self.points.get(first).map_or(0, |point| point.x.to_bits())
+        });
+        core::hint::black_box(touched);
+    }
+
     /// Shares of the path's arc length at a piece's start and end.
     pub(crate) fn at(&self, number: usize) -> [f64; 2] {
         let Some(piece) = self.pieces.get(number) else {

@@ -22,6 +22,9 @@ use rayon::prelude::*;
 /// Cells that a pixel's bounding box may touch: a level is chosen for it.
 const MOST_CELLS: u32 = 64;
 
+/// Pieces whose scratches are touched together before they are looked at.
+const TOUCHED: usize = 16;
+
 /// Areas of one piece that are gathered before they are sorted by cell.
 const MOST_GATHERED: usize = 32;
 
@@ -52,7 +55,10 @@ impl Pattern {
         let mut scratches = Seen::<MOST_SCRATCHES>::new();
         let mut laid = Laid::new();
         let mut reader = Reader::new(self);
-        for &number in candidates.iter().rev() {
+        for (i, &number) in candidates.iter().enumerate().rev() {
+            if i % TOUCHED == TOUCHED - 1 || i + 1 == candidates.len() {
+                self.touch(&candidates[i - i % TOUCHED..=i]);
+            }
             let mut is_held = false;
             reader.for_each_chord(number as usize, Some(reach), |chord| {
                 let ends = chord.ends.map(|uv| reach.place(uv));

@@ -128,6 +128,7 @@ impl Pattern {
         let curves = self.curves();
         let mut seen = Seen::<MOST_LISTED>::new();
         let flow = self.grid.query(cells, [low, high], |listed| {
+            curves.touch(listed);
             for &number in listed {
                 match seen.insert(number) {
                     Inserted::Before => continue,
