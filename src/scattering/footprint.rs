@@ -72,6 +72,7 @@ impl Densities {
         used: 0,
     };
 
+    #[inline(always)]
     pub(crate) fn clear(&mut self) {
         self.used = 0;
     }
@@ -86,10 +87,39 @@ impl Densities {
         pixel_area: f64,
     ) -> Option<Weight> {
         let first = self.used;
+        let per_area = 1.0 / pixel_area;
         for region in regions {
-            self.add_region(region, origin, across, pixel_area)?;
+            match region.half_diagonals() {
+                Some(halves) => self.add_whole(halves, origin, across, per_area)?,
+                None => self.add_region(region, origin, across, per_area)?,
+            }
         }
         Some(self.weight_from(first))
+    }
+
+    /// A parallelogram around the origin with these half diagonals: as high all along its middle, and falling on both sides.
+    fn add_whole(
+        &mut self,
+        halves: [DVec2; 2],
+        origin: DVec2,
+        across: DVec2,
+        per_area: f64,
+    ) -> Option<()> {
+        let middle = -origin.dot(across);
+        let [a, b] = halves.map(|half| half.dot(across).abs());
+        let (inner, outer) = (a.min(b), a.max(b));
+        let area = 2.0 * halves[0].perp_dot(halves[1]).abs();
+        let density = area * per_area / (inner + outer);
+        let places = [-outer, -inner, inner, outer].map(|off| middle + off);
+        for (i, densities) in [[0.0, density], [density; 2], [density, 0.0]]
+            .into_iter()
+            .enumerate()
+        {
+            if places[i + 1] > places[i] {
+                self.push(places[i], places[i + 1], densities)?;
+            }
+        }
+        Some(())
     }
 
     fn add_region(
@@ -97,7 +127,7 @@ impl Densities {
         region: &Region,
         origin: DVec2,
         across: DVec2,
-        pixel_area: f64,
+        per_area: f64,
     ) -> Option<()> {
         // Corners by place across and height along, which turns a counter-clockwise polygon clockwise.
         let count = region.corners().len();
@@ -125,7 +155,7 @@ impl Densities {
                 false => height_at([corners[upper], above], to) - below.y,
             };
             if to > from {
-                let densities = [chord, there].map(|chord: f64| chord.max(0.0) / pixel_area);
+                let densities = [chord, there].map(|chord: f64| chord.max(0.0) * per_area);
                 self.push(from, to, densities)?;
                 from = to;
             }
