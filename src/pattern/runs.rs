@@ -334,7 +334,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         let parting = tangent(&first, 1.0);
         let part_of = |control, at, parting| Part {
             control,
-            // Or nearly so.
+            // Half a line is one too.
             is_line: part.is_line,
             at,
             parting,

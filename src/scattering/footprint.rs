@@ -320,6 +320,33 @@ mod tests {
         }
     }
 
+    /// A whole pixel's density across, which is told at once, is that of the polygon: what of the pixel lies on one side of a
+    /// line weighs its area.
+    #[test]
+    fn sides_of_a_line_weigh_their_areas() {
+        let edges = [
+            [0.3, 0.04, -0.02, 0.15],
+            [0.3, 0.0, 0.0, 0.3],
+            [0.01, 0.2, 0.2, 0.01],
+        ];
+        for [ax, ay, bx, by] in edges {
+            let pixel = Region::parallelogram(DVec2::new(ax, ay), DVec2::new(bx, by));
+            for degrees in [0.0_f64, 17.0, 45.0, 90.0, 133.0, 201.0] {
+                let across = DVec2::from_angle(degrees.to_radians());
+                let (mut densities, origin) = (Densities::EMPTY, DVec2::new(0.1, -0.2));
+                let weight = densities.add_regions(&[pixel], origin, across, pixel.area());
+                let weight = weight.unwrap();
+                for place in (-30..30).map(|i| f64::from(i) * 0.013) {
+                    let side = pixel.clipped(origin + across * place, -across);
+                    let share = side.map_or(0.0, |side| side.area() / pixel.area());
+                    let ours = densities.between(&weight, -10.0, single(place));
+                    let off = (f64::from(ours) - share).abs();
+                    assert!(off < 2e-6, "{degrees}, {place}: {ours} against {share}");
+                }
+            }
+        }
+    }
+
     /// However small the pixel beside its distance from the centre line, all of it weighs 1.
     #[test]
     fn tiny_pixel_weighs_one() {
