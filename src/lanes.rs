@@ -178,6 +178,8 @@ pub(crate) trait Lanes: Copy {
     fn most_up_to(self, numbers: Self::F) -> Self::F;
     /// Writes [`Self::WIDTH`] of them.
     fn store(self, numbers: Self::F, values: &mut [f32]);
+    /// The same as whole numbers, cut off: of shares up to 65535.
+    fn store_whole(self, numbers: Self::F, values: &mut [u16]);
     fn made(self, of: impl FnMut(usize) -> f32) -> Self::F;
     /// What becomes of three pairs of numbers, looked at together if there are lanes for them.
     fn of_three(
@@ -230,6 +232,16 @@ impl Lanes for One {
     #[inline(always)]
     fn store(self, numbers: f32, values: &mut [f32]) {
         values[0] = numbers;
+    }
+
+    #[inline(always)]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the cast saturates"
+    )]
+    fn store_whole(self, numbers: f32, values: &mut [u16]) {
+        values[0] = numbers as u16;
     }
 
     #[inline(always)]
@@ -291,6 +303,14 @@ impl<S: Simd> Lanes for Eight<S> {
     #[inline(always)]
     fn store(self, numbers: Self::F, values: &mut [f32]) {
         numbers.store_slice(&mut values[..EIGHT]);
+    }
+
+    #[inline(always)]
+    fn store_whole(self, numbers: Self::F, values: &mut [u16]) {
+        let whole = self.0.cvt_i32_f32x8(numbers);
+        let (first, last) = self.0.split_i32x8(whole);
+        let all = self.0.narrow_u32x4(first.bitcast(), last.bitcast());
+        all.store_slice(&mut values[..EIGHT]);
     }
 
     #[inline(always)]

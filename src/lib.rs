@@ -71,8 +71,8 @@ pub(crate) fn unit(v: [f32; 3]) -> Option<glam::DVec3> {
         return Some(v * (1.0 - 0.5 * excess));
     }
     let by = 1.0 / v.length();
-    // False of NaN too.
-    (by > 0.0 && by < f64::INFINITY).then(|| v * by)
+    // False of NaN too. No single is as short or as long as these bounds, which are compared with sooner than 0 and infinity.
+    (by > 1e-300 && by < 1e300).then(|| v * by)
 }
 
 /// The one place where building precision becomes shading precision.

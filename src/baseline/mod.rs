@@ -103,7 +103,8 @@ impl Baseline {
         let frame = Frame::at(point)?;
         let scale = self.mm_per_scene_unit;
         let metric = Metric::at(point, &frame, scale)?;
-        let (pixel, footprint) = metric.region(&point.footprint, scale);
+        let ([a, b], footprint) = metric.edges(&point.footprint, scale);
+        let pixel = Region::parallelogram(a, b);
         let place = Place { metric, pixel };
         match &self.system {
             System::Bb90(intensities) => intensities.add(&place, shading),

@@ -183,6 +183,7 @@ impl Finish {
     }
 
     /// Which of the host's own base BRDFs it is.
+    #[inline(always)]
     pub(crate) fn hosted(&self) -> Option<u32> {
         matches!(self.lobe, HOSTED_DIFFUSE | HOSTED_GLOSSY).then_some(self.colour)
     }

@@ -5,16 +5,29 @@ use std::sync::Arc;
 
 /// # Safety
 /// `pointer` is NULL or points to a valid `T` that lives, unchanged, as long as the call.
+#[inline(always)]
 pub(super) unsafe fn borrowed<'a, T>(name: &'static str, pointer: *const T) -> Result<&'a T> {
     // SAFETY: as promised by the caller.
-    unsafe { pointer.as_ref() }.ok_or(Error::text(name, "NULL", "a valid pointer"))
+    match unsafe { pointer.as_ref() } {
+        Some(pointer) => Ok(pointer),
+        None => Err(null(name)),
+    }
 }
 
 /// # Safety
 /// `pointer` is NULL or points to a valid `T` that nothing else uses during the call.
+#[inline(always)]
 pub(super) unsafe fn exclusive<'a, T>(name: &'static str, pointer: *mut T) -> Result<&'a mut T> {
     // SAFETY: as promised by the caller.
-    unsafe { pointer.as_mut() }.ok_or(Error::text(name, "NULL", "a valid pointer"))
+    match unsafe { pointer.as_mut() } {
+        Some(pointer) => Ok(pointer),
+        None => Err(null(name)),
+    }
+}
+
+#[cold]
+fn null(name: &'static str) -> Error {
+    Error::text(name, "NULL", "a valid pointer")
 }
 
 /// An array from C: NULL is fine for no elements. `names` are those of the pointer and of the count.

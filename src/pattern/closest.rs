@@ -13,7 +13,8 @@ pub(crate) fn bezier(control: &[DVec2; 4], t: f64) -> DVec2 {
 }
 
 /// Whether a curve is a straight line that is run through evenly, as far as rounding lets one tell.
-fn is_even_line([a, b, c, d]: &[DVec2; 4]) -> bool {
+#[inline(always)]
+pub(crate) fn is_even_line([a, b, c, d]: &[DVec2; 4]) -> bool {
     let bends = [*a - 2.0 * *b + *c, *b - 2.0 * *c + *d].map(DVec2::length_squared);
     bends[0].max(bends[1]) <= 1e-18 * (*d - *a).length_squared()
 }
@@ -27,21 +28,45 @@ fn derivatives(control: &[DVec2; 4], t: f64) -> (DVec2, DVec2) {
     (first, second)
 }
 
+/// Parameter and point nearest to `target` on the line from the one point to the other, and its unit tangent.
+#[inline(always)]
+pub(crate) fn nearest_on_line(from: DVec2, to: DVec2, target: DVec2) -> (f64, DVec2, DVec2) {
+    let chord = to - from;
+    let t = foot(from, chord, target);
+    (t, from + chord * t, unit_or_x(chord))
+}
+
+/// The share of a chord at which it comes nearest to `target`.
+#[inline(always)]
+fn foot(from: DVec2, chord: DVec2, target: DVec2) -> f64 {
+    let along = (target - from).dot(chord) / chord.length_squared();
+    if along.is_nan() {
+        return 0.5;
+    }
+    along.clamp(0.0, 1.0)
+}
+
+/// Unit length; x of what has no direction.
+#[inline(always)]
+pub(crate) fn unit_or_x(v: DVec2) -> DVec2 {
+    let by = 1.0 / v.length();
+    // Compared with sooner than 0 and infinity.
+    if by > 1e-300 && by < 1e300 {
+        v * by
+    } else {
+        DVec2::X
+    }
+}
+
 /// Parameter, point and unit tangent nearest to `target`.
 ///
 /// Pieces turn little, so Newton's method from the foot on the chord settles within three steps (on a straight line
 /// it is there before the first); the parameter stays in 0 to 1.
 pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2) {
-    let chord = control[3] - control[0];
-    let along = (target - control[0]).dot(chord) / chord.length_squared();
-    let mut t = if along.is_finite() {
-        along.clamp(0.0, 1.0)
-    } else {
-        0.5
-    };
     if is_even_line(control) {
-        return (t, control[0] + chord * t, chord.normalize_or(DVec2::X));
+        return nearest_on_line(control[0], control[3], target);
     }
+    let mut t = foot(control[0], control[3] - control[0], target);
     for _ in 0..3 {
         let away = bezier(control, t) - target;
         let (first, second) = derivatives(control, t);
@@ -64,7 +89,7 @@ pub(crate) fn tangent(control: &[DVec2; 4], t: f64) -> DVec2 {
     let [a, _, _, d] = *control;
     let chord = d - a;
     if is_even_line(control) {
-        return chord.normalize_or(DVec2::X);
+        return unit_or_x(chord);
     }
     let (first, second) = derivatives(control, t);
     // At a control point that lies on the curve's end the derivative vanishes: the curve leaves along the next.
@@ -75,7 +100,7 @@ pub(crate) fn tangent(control: &[DVec2; 4], t: f64) -> DVec2 {
         true if inward.length_squared() > 1e-12 * chord.length_squared() => inward,
         true => chord,
     };
-    direction.normalize_or(DVec2::X)
+    unit_or_x(direction)
 }
 
 /// How fast a curve runs at parameter t, per unit of it.

@@ -91,14 +91,18 @@ impl Course<'_> {
 
     /// Whether it has one value between two shares of arc length.
     pub(crate) fn is_even(&self, [from, to]: [f64; 2]) -> bool {
-        self.is_constant() || {
-            let [low, high] = self.extremes(from, to);
-            low == high
-        }
+        self.is_constant()
+            || self.value(from) == self.value(to) && {
+                let [low, high] = self.extremes(from, to);
+                low == high
+            }
     }
 
     /// Its value at a share of arc length.
     pub(crate) fn value(&self, at: f64) -> f64 {
+        if let [only] = self.knots {
+            return f64::from(only[1]) * f64::from(self.scale);
+        }
         self.value_before(self.next(at), at)
     }
 
@@ -168,7 +172,11 @@ impl Course<'_> {
         if self.is_constant() {
             return 0.0;
         }
-        let change = |[[_, a], [_, b]]: [[f64; 2]; 2]| (track.change(b) - track.change(a)).abs();
+        let mut last = track.change(self.value(from));
+        let change = |[_, [_, value]]: [[f64; 2]; 2]| {
+            let next = track.change(value);
+            (next - core::mem::replace(&mut last, next)).abs()
+        };
         self.turns(from, to).map(change).sum()
     }
 }

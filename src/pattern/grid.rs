@@ -41,6 +41,8 @@ const MOST_PARTS: f64 = 1024.0;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Grid {
     pub raster: Raster,
+    /// What the raster's bounds are, told at a glance.
+    hull: [DVec2; 2],
     pub(super) cells: Store<Cell>,
     /// Where each part's list starts in `entries`; one more than there are parts.
     pub(super) starts: Store<u32>,
@@ -53,6 +55,15 @@ pub(crate) struct Grid {
 pub(super) struct Cell {
     first: u32,
     side: u32,
+}
+
+impl Cell {
+    /// The number, along one axis, of its part that is nearest to a place so many cells from its corner.
+    #[inline(always)]
+    fn part_at(&self, place: f64) -> u32 {
+        let last = self.side.saturating_sub(1);
+        cell_number(place * f64::from(self.side)).min(last)
+    }
 }
 
 impl Grid {
@@ -101,37 +112,60 @@ impl Grid {
                 parts.for_each_cell(&curve, |part| source.lies_in(first + part));
             });
         });
-        Self {
+        Self::of_lists(
             raster,
-            cells: cells.into(),
-            starts: parts.starts.into(),
-            entries: parts.items.into(),
+            cells.into(),
+            parts.starts.into(),
+            parts.items.into(),
+        )
+    }
+
+    /// As a file keeps it.
+    pub(super) fn of_lists(
+        raster: Raster,
+        cells: Store<Cell>,
+        starts: Store<u32>,
+        entries: Store<u32>,
+    ) -> Self {
+        Self {
+            hull: raster.hull(),
+            raster,
+            cells,
+            starts,
+            entries,
         }
+    }
+
+    /// Whether a box touches it.
+    #[inline(always)]
+    pub(super) fn touches(&self, low: DVec2, high: DVec2) -> bool {
+        low.cmple(self.hull[1]).all() && high.cmpge(self.hull[0]).all()
     }
 
     /// Calls `visit` with lists of all pieces that may touch the box from `low` to `high`, each once or more, until it
     /// breaks. These cells are those that the box touches.
+    #[inline(always)]
     pub(crate) fn query(
         &self,
         (columns, rows): Touched,
-        [low, high]: [DVec2; 2],
+        within: [DVec2; 2],
         mut visit: impl FnMut(&[u32]) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let (starts, entries) = (&*self.starts, &*self.entries);
+        let [low, high] = within;
+        let (low, high) = (self.raster.in_cells(low), self.raster.in_cells(high));
         for row in rows {
             for column in columns.clone() {
                 let number = row * self.raster.columns + column;
                 let Some(cell) = self.cell(number as usize) else {
                     continue;
                 };
-                let parts = self.raster.cell_at(column, row).parted(cell.side);
-                let Some((columns, rows)) = parts.touched(low, high) else {
-                    continue;
-                };
-                for row in rows {
+                let (x, y) = (f64::from(column), f64::from(row));
+                let (left, right) = (cell.part_at(low.x - x), cell.part_at(high.x - x));
+                let (bottom, top) = (cell.part_at(low.y - y), cell.part_at(high.y - y));
+                for row in bottom..top + 1 {
                     let first = cell.first + row * cell.side;
-                    let parts = [first + columns.start(), first + columns.end()];
-                    visit(lists(starts, entries, parts))?;
+                    visit(lists(starts, entries, [first + left, first + right]))?;
                 }
             }
         }

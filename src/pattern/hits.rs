@@ -72,7 +72,8 @@ impl Pattern {
         let frame = Frame::at(point)?;
         let scale = self.mm_per_scene_unit;
         let metric = Metric::at(point, &frame, scale)?;
-        let (region, footprint) = metric.region(&point.footprint, scale);
+        let ([a, b], footprint) = metric.edges(&point.footprint, scale);
+        let region = Region::parallelogram(a, b);
         footprint?;
         let reach = Reach::new(&metric, &region, self.extent.half_width_mm.into());
         let mut candidates = Candidates::new();

@@ -38,10 +38,17 @@ impl Hosts {
     }
 
     /// A finish of the arrays as it reflects.
+    #[inline(always)]
     pub(crate) fn found(&self, finish: &Finish) -> Finish {
-        let Some(place) = finish.hosted() else {
-            return *finish;
-        };
+        match finish.hosted() {
+            None => *finish,
+            Some(place) => self.own(place),
+        }
+    }
+
+    /// The host's own at a place of the list, or black.
+    #[inline(never)]
+    fn own(&self, place: u32) -> Finish {
         let host = self.0.get(place as usize).copied();
         host.map_or(Finish::BLACK, |host| Finish::new(&Brdf::Hosted(host)))
     }

@@ -178,14 +178,22 @@ impl Curves<'_> {
         self.pieces.first().is_some_and(Piece::is_joined)
     }
 
+    /// The ends of a piece, (u, v), if it is kept as a straight line.
+    #[inline(always)]
+    pub(crate) fn line(&self, number: usize) -> Option<[DVec2; 2]> {
+        let place = self.pieces.get(number)?.place;
+        let first = (place & !(LINE | JOINED)) as usize;
+        let ends = self.points.get(first..first + 2)?;
+        (place & LINE != 0).then(|| [ends[0], ends[1]])
+    }
+
     /// Control points of a piece's cubic curve, (u, v).
     pub(crate) fn control(&self, number: usize) -> [DVec2; 4] {
         let place = self.pieces.get(number).map_or(0, |piece| piece.place);
         let first = (place & !(LINE | JOINED)) as usize;
         let point = |i: usize| self.points.get(first + i).copied().unwrap_or(DVec2::ZERO);
         if place & LINE != 0 {
-            let (a, d) = (point(0), point(1));
-            [a, a.lerp(d, 1.0 / 3.0), a.lerp(d, 2.0 / 3.0), d]
+            line_control([point(0), point(1)])
         } else {
             [0, 1, 2, 3].map(point)
         }
@@ -219,6 +227,12 @@ impl Curves<'_> {
     pub(crate) fn bounds(&self, number: usize) -> [DVec2; 2] {
         bounds(&self.control(number))
     }
+}
+
+/// Control points of a straight line that is run through evenly.
+#[inline(always)]
+pub(crate) fn line_control([a, d]: [DVec2; 2]) -> [DVec2; 4] {
+    [a, a.lerp(d, 1.0 / 3.0), a.lerp(d, 2.0 / 3.0), d]
 }
 
 /// Lowest and highest of these points.

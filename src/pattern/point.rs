@@ -1,6 +1,6 @@
 //! A shading point as a renderer knows it, and the millimetres it means.
 
-use super::region::{Region, THINNEST_MM};
+use super::region::THINNEST_MM;
 use crate::error::{Error, Result, all_finite, in_range};
 use crate::unit;
 use core::f64::consts::FRAC_1_SQRT_2;
@@ -12,6 +12,9 @@ const LONGEST_MM: f64 = 1e12;
 /// Derivatives and normals whose box has less than one in so many of the volume that their lengths could span are
 /// looked at closely.
 const MOST_SKEW: f64 = 1e6;
+
+/// Points farther out in texture space are looked at closely.
+const FARTHEST_UV: f64 = 1e300;
 
 /// What a pixel covers of the surface around a shading point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -81,7 +84,7 @@ impl Frame {
         let tangent = du - z * z.dot(du);
         let square = tangent.length_squared();
         // Not a number where dP/du is none.
-        let x = if square > 1e-16 * du.length_squared() && square.is_finite() {
+        let x = if square > 1e-16 * du.length_squared() && square < f64::MAX {
             tangent * (1.0 / square.sqrt())
         } else {
             z.any_orthonormal_vector()
@@ -135,7 +138,9 @@ impl SurfacePoint {
             && longest_mm < LONGEST_MM;
         let uv = DVec2::from(self.uv);
         let reach = half + uv_per_mm * reach_mm;
-        (is_plain && uv.is_finite()).then_some([uv - reach, uv + reach])
+        // Sooner told than which numbers are finite.
+        let is_near = uv.abs().cmplt(DVec2::splat(FARTHEST_UV)).all();
+        (is_plain && is_near).then_some([uv - reach, uv + reach])
     }
 }
 
@@ -145,6 +150,18 @@ fn no_normal(normal: [f32; 3]) -> Error {
     let accepted = "a vector of any length above 0";
     let none = Error::number("normal", 0.0, accepted);
     all_finite("normal", &normal).err().unwrap_or(none)
+}
+
+/// Why its texture coordinates and derivatives, which span this area, are none.
+#[cold]
+fn no_metric(point: &SurfacePoint, area: f64) -> Error {
+    if let Some(&value) = point.uv.iter().find(|value| !value.is_finite()) {
+        return Error::number("uv", value, "finite numbers only");
+    }
+    let finite = all_finite("dp_du", &point.dp_du).and(all_finite("dp_dv", &point.dp_dv));
+    let accepted = "derivatives that span the tangent plane: an area above 0";
+    let flat = Error::number("dp_du x dp_dv", area, accepted);
+    finite.err().unwrap_or(flat)
 }
 
 /// Texture space and the tangent plane around one point.
@@ -158,13 +175,9 @@ pub(crate) struct Metric {
 
 impl Metric {
     /// Errors: texture coordinates or derivatives that are not finite, or derivatives that span no plane.
+    #[inline(always)]
     pub(crate) fn at(point: &SurfacePoint, frame: &Frame, mm_per_unit: f64) -> Result<Self> {
         let uv = DVec2::from(point.uv);
-        if let Some(&value) = point.uv.iter().find(|value| !value.is_finite()) {
-            return Err(Error::number("uv", value, "finite numbers only"));
-        }
-        all_finite("dp_du", &point.dp_du)?;
-        all_finite("dp_dv", &point.dp_dv)?;
         let (x, y) = (frame.x.as_dvec3(), frame.y.as_dvec3());
         let step = |dp: [f32; 3]| {
             let dp = Vec3::from(dp).as_dvec3();
@@ -173,23 +186,31 @@ impl Metric {
         let to_mm = DMat2::from_cols(step(point.dp_du), step(point.dp_dv));
         let area = to_mm.determinant();
         let from_mm = to_mm.inverse();
-        if !to_mm.is_finite() || area == 0.0 || !from_mm.is_finite() {
-            let accepted = "derivatives that span the tangent plane: an area above 0";
-            return Err(Error::number("dp_du x dp_dv", area, accepted));
+        // Sooner told than by looking at each: 0 unless any is endless or no number.
+        let all = to_mm.x_axis + to_mm.y_axis + from_mm.x_axis + from_mm.y_axis;
+        let none = (uv * 0.0 + all * 0.0).element_sum();
+        if none == 0.0 && area != 0.0 {
+            return Ok(Self { uv, to_mm, from_mm });
         }
-        Ok(Self { uv, to_mm, from_mm })
+        Err(no_metric(point, area))
     }
 
-    /// The footprint on the tangent plane, mm around the point. A footprint that is none (zero, infinite,
-    /// NaN) is a point, and an error besides.
-    pub(crate) fn region(&self, footprint: &Footprint, mm_per_unit: f64) -> (Region, Result<()>) {
-        match self.edges(footprint, mm_per_unit) {
-            Ok([a, b]) => (Region::parallelogram(a, b), Ok(())),
-            Err(error) => (Region::parallelogram(DVec2::ZERO, DVec2::ZERO), Err(error)),
+    /// The edges of the footprint on the tangent plane, mm, which is a parallelogram around the point. A footprint that is
+    /// none (zero, infinite, NaN) is a point, and an error besides.
+    #[inline(always)]
+    pub(crate) fn edges(
+        &self,
+        footprint: &Footprint,
+        mm_per_unit: f64,
+    ) -> ([DVec2; 2], Result<()>) {
+        match self.checked_edges(footprint, mm_per_unit) {
+            Ok(edges) => (edges, Ok(())),
+            Err(error) => ([DVec2::ZERO; 2], Err(error)),
         }
     }
 
-    fn edges(&self, footprint: &Footprint, mm_per_unit: f64) -> Result<[DVec2; 2]> {
+    #[inline(always)]
+    fn checked_edges(&self, footprint: &Footprint, mm_per_unit: f64) -> Result<[DVec2; 2]> {
         let (name, edges) = match *footprint {
             Footprint::Point => return Ok([DVec2::ZERO; 2]),
             Footprint::Radius(radius) => {
@@ -210,10 +231,11 @@ impl Metric {
                 ("duv_dx and duv_dy", [edge(duv_dx), edge(duv_dy)])
             }
         };
-        let longest = edges[0].length().max(edges[1].length());
-        if longest > 0.0 && longest < LONGEST_MM {
+        let square = edges[0].length_squared().max(edges[1].length_squared());
+        if square > 0.0 && square < LONGEST_MM * LONGEST_MM {
             return Ok(edges);
         }
+        let longest = square.sqrt();
         let accepted = "a footprint above 0 and below 1e12 mm, or a point footprint";
         Err(Error::number(name, longest, accepted))
     }
@@ -238,7 +260,7 @@ impl Metric {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::Reach;
+    use crate::pattern::{Reach, Region};
     use rand::rngs::StdRng;
     use rand::{Rng, SeedableRng};
 
@@ -297,7 +319,8 @@ mod tests {
             told += 1;
             let frame = Frame::at(&point).unwrap();
             let metric = Metric::at(&point, &frame, 10.0).unwrap();
-            let (footprint, status) = metric.region(&point.footprint, 10.0);
+            let ([a, b], status) = metric.edges(&point.footprint, 10.0);
+            let footprint = Region::parallelogram(a, b);
             status.unwrap();
             let reach = Reach::new(&metric, &footprint, 0.02);
             let [exact_low, exact_high] = reach.box_uv();

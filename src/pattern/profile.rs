@@ -22,6 +22,7 @@ pub(crate) struct Profile<'p> {
 impl<'p> Profile<'p> {
     /// The mean of two shapes, `stride` vertices apart; of one, if there is only one. No vertices if the array is
     /// too short, as a damaged file's may be.
+    #[inline(always)]
     pub(crate) fn between(
         vertices: &'p [Vec2],
         stride: usize,
@@ -34,11 +35,10 @@ impl<'p> Profile<'p> {
         Self {
             vertices,
             stride,
-            vertex_count,
+            vertex_count: sound(vertices, shapes, [stride, vertex_count]),
             weights,
             shapes,
         }
-        .checked()
     }
 
     /// The mean of a scratch's cross-sections between two shares of its arc length.
@@ -86,27 +86,18 @@ impl<'p> Profile<'p> {
                 (station, at) = (next, stop);
             }
         }
+        let (vertices, stride) = (track.shapes_from(first), track.vertex_count);
+        let shapes = end - first + 1;
         Self {
-            vertices: track.shapes_from(first),
-            stride: track.vertex_count,
-            vertex_count: track.vertex_count,
+            vertices,
+            stride,
+            vertex_count: sound(vertices, shapes, [stride; 2]),
             weights,
-            shapes: end - first + 1,
-        }
-        .checked()
-    }
-
-    fn checked(self) -> Self {
-        let needed = (self.shapes - 1) * self.stride + self.vertex_count;
-        if self.vertices.len() >= needed {
-            return self;
-        }
-        Self {
-            vertex_count: 0,
-            ..self
+            shapes,
         }
     }
 
+    #[inline(always)]
     fn vertex(&self, number: usize) -> Vec2 {
         let weighed =
             |shape: usize| self.vertices[shape * self.stride + number] * self.weights[shape];
@@ -142,5 +133,15 @@ impl<'p> Profile<'p> {
     pub(crate) fn half_width_mm(&self) -> f64 {
         let [left, right] = self.ends();
         f64::from(right.max(-left))
+    }
+}
+
+/// How many vertices so many shapes have: none if the array is too short for them.
+fn sound(vertices: &[Vec2], shapes: usize, [stride, vertex_count]: [usize; 2]) -> usize {
+    let needed = (shapes - 1) * stride + vertex_count;
+    if vertices.len() >= needed {
+        vertex_count
+    } else {
+        0
     }
 }

@@ -40,7 +40,7 @@ impl<'a> Reach<'a> {
         Self {
             metric,
             footprint,
-            area_mm2: footprint.area(),
+            area_mm2: footprint.area_of_parallelogram(),
             reach_mm,
         }
     }
@@ -92,7 +92,14 @@ impl Pattern {
     }
 
     /// The pieces near a box in (u, v); false if they are too many.
+    #[inline(always)]
     pub(crate) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
+        !self.grid.touches(low, high) || self.pieces_listed(low, high, found)
+    }
+
+    /// The same, of a box that touches the grid.
+    #[inline(never)]
+    fn pieces_listed(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
         let cells = match self.grid.raster.touched(low, high) {
             None => return true,
             Some(cells) if count(&cells) > MOST_CELLS => return false,
@@ -116,9 +123,11 @@ impl Pattern {
             found.clear();
             return self.many_near(cells, [low, high], found);
         }
-        found.sort_unstable();
-        let mut last = None;
-        found.retain(|number| last.replace(*number) != Some(*number));
+        if found.len() > 1 {
+            found.sort_unstable();
+            let mut last = None;
+            found.retain(|number| last.replace(*number) != Some(*number));
+        }
         true
     }
 

@@ -3,7 +3,7 @@
 use super::pieces::{bounds, sagitta};
 use bytemuck::{Pod, Zeroable};
 use core::cell::OnceCell;
-use core::ops::RangeInclusive;
+use core::ops::{Range, RangeInclusive};
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -19,7 +19,7 @@ pub(crate) struct Raster {
 }
 
 /// Columns and rows of cells.
-pub(super) type Touched = (RangeInclusive<u32>, RangeInclusive<u32>);
+pub(super) type Touched = (Range<u32>, Range<u32>);
 
 /// A curve, and what rasters ask it for.
 pub(super) struct Outline<'c> {
@@ -191,17 +191,8 @@ impl Raster {
 
     /// One of its cells.
     pub(crate) fn cell(&self, number: usize) -> Self {
-        self.of_cell(self.corners(number)[0])
-    }
-
-    /// The cell in a column and row.
-    pub(super) fn cell_at(&self, column: u32, row: u32) -> Self {
-        self.of_cell(self.corner(DVec2::new(column.into(), row.into())))
-    }
-
-    fn of_cell(&self, origin: DVec2) -> Self {
         Self {
-            origin,
+            origin: self.corners(number)[0],
             columns: 1,
             rows: 1,
             ..*self
@@ -246,7 +237,7 @@ impl Raster {
         let Some((columns, rows)) = self.touched(low, high) else {
             return;
         };
-        if rows.start() == rows.end() || columns.start() == columns.end() {
+        if rows.len() == 1 || columns.len() == 1 {
             for row in rows {
                 columns
                     .clone()
@@ -325,24 +316,46 @@ impl Raster {
         }
     }
 
-    /// Columns and rows that a box touches, if any.
-    pub(crate) fn touched(&self, low: DVec2, high: DVec2) -> Option<Touched> {
+    /// A place in cells from the origin.
+    #[inline(always)]
+    pub(super) fn in_cells(&self, place: DVec2) -> DVec2 {
+        (place - self.origin) * self.per_unit
+    }
+
+    /// Its lowest and highest (u, v), and a hair of slack.
+    pub(super) fn hull(&self) -> [DVec2; 2] {
+        let [low, high] = self.bounds();
+        let slack = DVec2::splat(1e-9) / self.per_unit;
+        [low - slack, high + slack]
+    }
+
+    /// Whether a box touches any cell.
+    #[inline(always)]
+    fn touches(&self, low: DVec2, high: DVec2) -> bool {
+        let [from, to] = [low, high].map(|place| self.in_cells(place));
         let count = DVec2::new(self.columns.into(), self.rows.into());
-        let [from, to] = [low, high].map(|place| (place - self.origin) * self.per_unit);
         // A hair of slack again; false for NaN and for a grid of nothing.
         let slack = DVec2::splat(1e-9);
-        let touches = from.cmple(count + slack).all() && to.cmpge(-slack).all();
-        let cells = |axis: usize, count: u32| {
-            let cell = |place: DVec2| cell_number(place[axis]).min(count - 1);
-            cell(from)..=cell(to)
-        };
-        (touches && self.columns > 0).then(|| (cells(0, self.columns), cells(1, self.rows)))
+        from.cmple(count + slack).all() && to.cmpge(-slack).all() && self.columns > 0
+    }
+
+    /// Columns and rows that a box touches, if any.
+    #[inline(always)]
+    pub(crate) fn touched(&self, low: DVec2, high: DVec2) -> Option<Touched> {
+        if !self.touches(low, high) {
+            return None;
+        }
+        let (from, to) = (self.in_cells(low), self.in_cells(high));
+        let cell = |place: f64, count: u32| cell_number(place).min(count - 1);
+        let columns = cell(from.x, self.columns)..cell(to.x, self.columns) + 1;
+        let rows = cell(from.y, self.rows)..cell(to.y, self.rows) + 1;
+        Some((columns, rows))
     }
 }
 
 /// How many cells these are.
 pub(super) fn count((columns, rows): &Touched) -> u32 {
-    let length = |range: &RangeInclusive<u32>| range.end() - range.start() + 1;
+    let length = |range: &Range<u32>| range.end - range.start;
     length(columns).saturating_mul(length(rows))
 }
 
@@ -428,6 +441,7 @@ fn floor(at: f64) -> f64 {
     clippy::cast_sign_loss,
     reason = "the cast saturates: below the grid is cell 0"
 )]
+#[inline(always)]
 pub(super) fn cell_number(at: f64) -> u32 {
     at as u32
 }

@@ -17,17 +17,12 @@ pub(crate) struct Region {
 }
 
 impl Region {
-    /// The parallelogram with edges `a` and `b`, at least a nanometre thick.
+    /// The parallelogram around the origin with edges `a` and `b`, at least a nanometre thick.
     pub(crate) fn parallelogram(a: DVec2, b: DVec2) -> Self {
-        let long = if a.length_squared() >= b.length_squared() {
-            a
+        let (long, short) = if a.length_squared() >= b.length_squared() {
+            (a, b)
         } else {
-            b
-        };
-        let short = if a.length_squared() >= b.length_squared() {
-            b
-        } else {
-            a
+            (b, a)
         };
         let length = long.length();
         let long = if length < THINNEST_MM {
@@ -86,11 +81,27 @@ impl Region {
         0.5 * self.edges().map(|(a, b)| a.perp_dot(b)).sum::<f64>()
     }
 
+    /// Two edges of a parallelogram.
+    fn edges_of_parallelogram(&self) -> [DVec2; 2] {
+        let [a, b, c] = [self.corners[0], self.corners[1], self.corners[2]];
+        [b - a, c - b]
+    }
+
     /// The smaller height of a parallelogram.
     pub(crate) fn thickness(&self) -> f64 {
-        let [a, b, c] = [self.corners[0], self.corners[1], self.corners[2]];
-        let (p, q) = (b - a, c - b);
+        let [p, q] = self.edges_of_parallelogram();
         p.perp_dot(q).abs() / p.length_squared().max(q.length_squared()).sqrt()
+    }
+
+    /// The area of a parallelogram.
+    pub(crate) fn area_of_parallelogram(&self) -> f64 {
+        let [p, q] = self.edges_of_parallelogram();
+        p.perp_dot(q).abs()
+    }
+
+    /// How far a parallelogram around the origin reaches from there along the axes.
+    pub(crate) fn half_size(&self) -> DVec2 {
+        self.corners[0].abs().max(self.corners[1].abs())
     }
 
     pub(crate) fn centroid(&self) -> DVec2 {
@@ -146,6 +157,28 @@ impl Region {
     pub(crate) fn keep(&mut self, lines: &[[DVec2; 2]]) -> bool {
         let mut lines = lines.iter();
         lines.all(|&[origin, inward]| self.clip(origin, inward))
+    }
+
+    /// Half its diagonals, if it is a whole parallelogram around the origin.
+    #[inline(always)]
+    pub(crate) fn half_diagonals(&self) -> Option<[DVec2; 2]> {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| self.corners[i]);
+        (self.count == 4 && a == -c && b == -d).then_some([a, b])
+    }
+
+    /// Whether [`Self::keep`] keeps all of a parallelogram around the origin.
+    #[inline(always)]
+    pub(crate) fn is_parallelogram_within(&self, lines: &[[DVec2; 2]]) -> bool {
+        let [a, b] = [self.corners[0], self.corners[1]];
+        let most_beyond = |&[origin, inward]: &[DVec2; 2]| {
+            let (a, b) = (a.dot(inward).abs(), b.dot(inward).abs());
+            origin.dot(inward) + if a > b { a } else { b }
+        };
+        // Not where it is endless, nor where it is no number.
+        lines.iter().all(|line| {
+            let beyond = most_beyond(line);
+            beyond <= 0.0 && beyond > f64::NEG_INFINITY
+        })
     }
 
     /// The part that [`Self::keep`] keeps, or nothing if that is empty.

@@ -4,11 +4,11 @@ mod nearest;
 
 use super::Pattern;
 use super::caps::CapAt;
-use super::closest::{length_share, tangent};
+use super::closest::{is_even_line, length_share, tangent, unit_or_x};
 use super::course::Course;
 use super::hit::Hit;
-use super::pieces::{Curves, bounds, halves};
-use super::query::{Candidates, Reach, hull};
+use super::pieces::{Curves, bounds, halves, line_control};
+use super::query::{Candidates, Reach};
 use super::tracks::TrackRef;
 use crate::formation::End;
 use core::ops::ControlFlow;
@@ -69,42 +69,42 @@ impl Pattern {
         thin_mm: f64,
         visit: &mut impl FnMut(&Hit<'p>) -> ControlFlow<()>,
     ) -> bool {
-        let mm = DVec2::splat(reach.reach_mm);
-        let [low, high] = hull(reach.footprint.corners().iter().copied());
+        let near = reach.footprint.half_size() + reach.reach_mm;
         let mut walk = Walk {
             pattern: self,
             curves: self.curves(),
             reach,
-            near: [low - mm, high + mm],
+            near: [-near, near],
             thin_mm,
             visit,
             thin_caps: false,
             is_over: false,
         };
-        let mut pending: Option<Run<'p>> = None;
-        for &number in candidates {
+        let mut numbers = candidates.iter().map(|&number| number as usize).peekable();
+        while let Some(number) = numbers.next() {
             if walk.is_over {
                 break;
             }
-            let Some(part) = walk.part(number as usize) else {
+            // By its address: it is large.
+            let part = walk.part(number);
+            let Some(part) = &part else {
                 continue;
             };
-            match &mut pending {
-                Some(run) if walk.joins(run, &part) => run.last = Last::of(&part),
-                _ => {
-                    pending.take().iter().for_each(|run| walk.emit(run));
-                    // After what was scratched before this one.
-                    walk.emit_cap(&part, End::Start);
-                    if walk.is_one_run(&part) {
-                        pending = Some(Run::of(&part));
-                    } else {
-                        walk.divide(&part, MOST_HALVINGS);
-                    }
-                }
+            walk.emit_cap(part, End::Start);
+            if !walk.is_one_run(part) {
+                walk.divide(part, MOST_HALVINGS);
+                walk.emit_cap(part, End::Stop);
+                continue;
             }
-            walk.emit_cap(&part, End::Stop);
+            let mut run = Run::of(part);
+            walk.emit_cap(part, End::Stop);
+            while let Some(next) = walk.joined(&run, numbers.peek()) {
+                run.last = Last::of(&next);
+                walk.emit_cap(&next, End::Stop);
+                numbers.next();
+            }
+            walk.emit(&run);
         }
-        pending.iter().for_each(|run| walk.emit(run));
         walk.thin_caps
     }
 }
@@ -117,6 +117,8 @@ struct Part<'p> {
     track: TrackRef<'p>,
     course: Course<'p>,
     control: [DVec2; 4],
+    /// Whether that is a straight line, run through evenly.
+    is_line: bool,
     /// Shares of the path's arc length at its ends.
     at: [f64; 2],
     /// Unit tangents across which it is parted from its neighbours: its own at a smooth joint, the mean
@@ -127,8 +129,8 @@ struct Part<'p> {
 }
 
 /// Neighbouring parts that run nearly straight: one frame, one cross-section.
-struct Run<'p> {
-    first: Part<'p>,
+struct Run<'a, 'p> {
+    first: &'a Part<'p>,
     last: Last,
 }
 
@@ -142,10 +144,10 @@ struct Last {
     at: f64,
 }
 
-impl<'p> Run<'p> {
-    fn of(part: &Part<'p>) -> Self {
+impl<'a, 'p> Run<'a, 'p> {
+    fn of(part: &'a Part<'p>) -> Self {
         Self {
-            first: *part,
+            first: part,
             last: Last::of(part),
         }
     }
@@ -155,7 +157,7 @@ impl<'p> Run<'p> {
         let [a, b, c, d] = self.first.control;
         let chord = d - a;
         let strays = |p: DVec2| (p - a).perp_dot(chord).abs() > 1e-9 * chord.length_squared();
-        self.first.number == self.last.number && !strays(b) && !strays(c)
+        self.first.number == self.last.number && (self.first.is_line || !strays(b) && !strays(c))
     }
 }
 
@@ -177,7 +179,8 @@ impl Part<'_> {
 
     /// How far the cross-section at a share of arc length reaches, mm.
     fn half_width_mm(&self, at: f64) -> f64 {
-        self.track.profile(self.course.value(at)).half_width_mm()
+        let [left, right] = self.track.ends(self.course.value(at));
+        f64::from(right.max(-left))
     }
 
     /// Whether the scratch becomes much wider from one end to the other, as it does where it sets in.
@@ -211,7 +214,8 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
     fn part(&self, number: usize) -> Option<Part<'p>> {
         let piece = self.curves.pieces.get(number)?;
         let (track, course) = self.pattern.strand(piece.scratch)?;
-        let control = self.control(number);
+        let line = self.curves.line(number);
+        let control = self.placed(number, line);
         let [first, last] = self.pattern.pieces_of(piece.scratch);
         let before = if number == first {
             last
@@ -225,7 +229,11 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
                 .get(number)
                 .is_some_and(|p| p.is_joined())
         };
-        let mut parting = [tangent(&control, 0.0), tangent(&control, 1.0)];
+        let is_line = line.is_some() || is_even_line(&control);
+        let mut parting = match is_line {
+            true => [unit_or_x(control[3] - control[0]); 2],
+            false => [tangent(&control, 0.0), tangent(&control, 1.0)],
+        };
         if follows(number) {
             let onwards = tangent(&self.control(before), 1.0);
             parting[0] = halving(onwards, parting[0]).unwrap_or(parting[0]);
@@ -240,6 +248,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             track,
             course,
             control,
+            is_line,
             at: self.curves.at(number),
             parting,
             is_end: [number == first, number == last].map(|outermost| outermost && !follows(first)),
@@ -247,7 +256,16 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
     }
 
     fn control(&self, number: usize) -> [DVec2; 4] {
-        self.curves.control(number).map(|uv| self.reach.place(uv))
+        self.placed(number, self.curves.line(number))
+    }
+
+    /// A piece's control points in mm; a straight line's by its ends.
+    #[inline(always)]
+    fn placed(&self, number: usize, line: Option<[DVec2; 2]>) -> [DVec2; 4] {
+        match line {
+            Some(ends) => line_control(ends.map(|uv| self.reach.place(uv))),
+            None => self.curves.control(number).map(|uv| self.reach.place(uv)),
+        }
     }
 
     fn is_straight(&self, a: DVec2, b: DVec2) -> bool {
@@ -257,10 +275,11 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
     /// Whether a part turns and changes so little that it has one frame and one cross-section.
     fn is_one_run(&self, part: &Part<'p>) -> bool {
         let [a, b, c, d] = part.control;
-        self.is_straight(b - a, d - a)
-            && self.is_straight(d - a, d - c)
-            && self.is_straight(b - a, d - c)
-            && self.changes_little(part)
+        let is_straight = part.is_line
+            || self.is_straight(b - a, d - a)
+                && self.is_straight(d - a, d - c)
+                && self.is_straight(b - a, d - c);
+        is_straight && self.changes_little(part)
     }
 
     /// Whether one cross-section, the mean of all, will do.
@@ -279,13 +298,18 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         small.sqrt().clamp(1.0, MOST_SLACK)
     }
 
-    /// Whether a piece more goes on nearly straight where a run ends.
-    fn joins(&self, run: &Run<'p>, part: &Part<'p>) -> bool {
-        let (first, last) = (&run.first, &run.last);
-        part.number == last.number + 1
-            && part.scratch == first.scratch
-            && self.curves.pieces[part.number].is_joined()
-            && self.is_one_run(part)
+    /// A piece more, if it goes on nearly straight where a run ends.
+    fn joined(&self, run: &Run<'_, 'p>, number: Option<&usize>) -> Option<Part<'p>> {
+        let next = number.filter(|number| **number == run.last.number + 1)?;
+        let piece = self.curves.pieces.get(*next)?;
+        let goes_on = piece.is_joined() && piece.scratch == run.first.scratch;
+        let part = goes_on.then(|| self.part(*next))??;
+        self.joins(run, &part).then_some(part)
+    }
+
+    fn joins(&self, run: &Run<'_, 'p>, part: &Part<'p>) -> bool {
+        let first = run.first;
+        self.is_one_run(part)
             && self.is_straight(first.chord(), part.chord())
             && self.is_straight(first.parting[0], part.parting[1])
             && (part.course.is_even([first.at[0], part.at[1]])
@@ -310,6 +334,8 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         let parting = tangent(&first, 1.0);
         let part_of = |control, at, parting| Part {
             control,
+            // Half a line is one too.
+            is_line: part.is_line,
             at,
             parting,
             ..*part
@@ -328,32 +354,39 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         self.is_over = self.is_over || (self.visit)(hit).is_break();
     }
 
-    fn emit(&mut self, run: &Run<'p>) {
+    fn emit(&mut self, run: &Run<'_, 'p>) {
         let Run { first, last } = run;
         let parting = [
             [first.control[0], first.parting[0]],
             [last.end, last.parting],
         ];
         let [[start, forwards], [end, onwards]] = parting;
-        let mut region = *self.reach.footprint;
-        if !region.keep(&[[start, forwards], [end, -onwards]]) {
-            return;
+        let lines = [[start, forwards], [end, -onwards]];
+        let (mut region, mut middle) = (self.reach.footprint, DVec2::ZERO);
+        let mut cut;
+        // Most runs go on beyond the footprint, whose middle is the origin.
+        if !region.is_parallelogram_within(&lines) {
+            cut = *region;
+            if !cut.keep(&lines) {
+                return;
+            }
+            (region, middle) = (&cut, cut.centroid());
         }
-        let near = self.nearest_on(run, region.centroid());
+        let mut near = self.nearest_on(run, middle);
         let course = &first.course;
-        let profile = first.track.profile(course.value(near.at));
+        let mut place = course.value(near.at);
+        let mut profile = first.track.profile(place);
         let is_even = course.is_even([first.at[0], last.at]);
-        let (near, profile) = if is_even && run.is_straight() {
-            (near, profile)
-        } else {
-            self.look(run, &region, near, profile, is_even)
-        };
+        if !(is_even && run.is_straight()) {
+            (near, profile) = self.look(run, region, near, profile, is_even);
+            place = course.value(near.at);
+        }
         let Near {
             at, origin, travel, ..
         } = near;
         self.tell(&Hit {
             track: first.track,
-            place: course.value(at),
+            place,
             profile,
             ends_mm: profile.ends().map(f64::from),
             scratch: first.scratch,
@@ -361,25 +394,31 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             origin,
             travel,
             parting,
-            region,
+            region: *region,
             visible: self.pattern.visible_share(first.number),
             alone: 1.0,
         });
     }
 
     /// The sectors of the cap at an end of a part, if that is a hard end of its scratch within reach.
+    #[inline(always)]
     fn emit_cap(&mut self, part: &Part<'p>, end: End) {
-        if !part.is_end[usize::from(end == End::Stop)] {
-            return;
+        let [low, high] = self.near;
+        let (i, point) = match end {
+            End::Start => (0, part.control[0]),
+            End::Stop => (1, part.control[3]),
+        };
+        if part.is_end[i] && point.cmpge(low).all() && point.cmple(high).all() {
+            self.emit_near_cap(part, end);
         }
+    }
+
+    #[inline(never)]
+    fn emit_near_cap(&mut self, part: &Part<'p>, end: End) {
         let (point, travel, outward) = match end {
             End::Start => (part.control[0], part.parting[0], -part.parting[0]),
             End::Stop => (part.control[3], part.parting[1], part.parting[1]),
         };
-        let [low, high] = self.near;
-        if !(point.cmpge(low).all() && point.cmple(high).all()) {
-            return;
-        }
         let Some(cap) = self.pattern.cap_at(part.number, end) else {
             return;
         };

@@ -160,12 +160,12 @@ impl Pattern {
                 starts: sections.next()?,
                 entries: sections.next()?,
             },
-            grid: Grid {
-                raster: facts.raster,
-                cells: sections.next()?,
-                starts: sections.next()?,
-                entries: sections.next()?,
-            },
+            grid: Grid::of_lists(
+                facts.raster,
+                sections.next()?,
+                sections.next()?,
+                sections.next()?,
+            ),
             surface: facts.surface,
             mm_per_scene_unit: facts.mm_per_scene_unit,
             units_per_uv: facts.units_per_uv,

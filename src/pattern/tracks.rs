@@ -295,6 +295,9 @@ impl<'p> TrackRef<'p> {
     pub(crate) fn locate(&self, at: f64) -> (usize, f32) {
         let place = |i: usize| f64::from(self.stations[i].at);
         let final_one = self.stations.len() - 1;
+        if final_one == 0 {
+            return (0, 0.0);
+        }
         let count = self.stations.len() as f64;
         let share = (at - place(0)) / (place(final_one) - place(0));
         let guide = |i: usize| self.stations.get(i).map(|station| station.guide as usize);

@@ -226,7 +226,7 @@ mod tests {
     fn crowded(random: &mut StdRng, flocks: u32) -> Shading {
         let mut shading = Shading::default();
         shading
-            .begin(Finish::new(&brdfs()[1]), direction(random).into())
+            .begin(&Finish::new(&brdfs()[1]), direction(random).into())
             .unwrap();
         let numbers = brdfs().map(|brdf| shading.zones.finish(&Finish::new(&brdf)));
         let mut first = 0;

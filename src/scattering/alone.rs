@@ -61,7 +61,7 @@ impl Shading {
         pixel: CrossFootprint,
         view: [f32; 3],
     ) -> Result<()> {
-        self.begin(Finish::new(&surface.check()?), view)?;
+        self.begin(&Finish::new(&surface.check()?), view)?;
         check_cross_section(vertices)?;
         let finish = Finish::new(&scratched.check()?);
         let weight = match pixel {
@@ -93,7 +93,7 @@ impl Shading {
     /// Prepares a point of the flat surface, for [`Self::add_centred`].
     #[cfg(feature = "files")]
     pub(crate) fn shade_flat(&mut self, surface: Finish, view: [f32; 3]) -> Result<()> {
-        self.begin(surface, view)
+        self.begin(&surface, view)
     }
 
     /// Puts a scratch into a pixel that has none yet.

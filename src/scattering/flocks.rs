@@ -59,6 +59,7 @@ impl Flocks {
         seen_per_share: 0.0,
     };
 
+    #[inline(always)]
     pub(crate) fn clear(&mut self) {
         self.count = 0;
         self.seen_per_share = 0.0;

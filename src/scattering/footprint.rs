@@ -72,6 +72,7 @@ impl Densities {
         used: 0,
     };
 
+    #[inline(always)]
     pub(crate) fn clear(&mut self) {
         self.used = 0;
     }
@@ -86,10 +87,39 @@ impl Densities {
         pixel_area: f64,
     ) -> Option<Weight> {
         let first = self.used;
+        let per_area = 1.0 / pixel_area;
         for region in regions {
-            self.add_region(region, origin, across, pixel_area)?;
+            match region.half_diagonals() {
+                Some(halves) => self.add_whole(halves, origin, across, per_area)?,
+                None => self.add_region(region, origin, across, per_area)?,
+            }
         }
         Some(self.weight_from(first))
+    }
+
+    /// A parallelogram around the origin with these half diagonals: as high all along its middle, and falling on both sides.
+    fn add_whole(
+        &mut self,
+        halves: [DVec2; 2],
+        origin: DVec2,
+        across: DVec2,
+        per_area: f64,
+    ) -> Option<()> {
+        let middle = -origin.dot(across);
+        let [a, b] = halves.map(|half| half.dot(across).abs());
+        let (inner, outer) = (a.min(b), a.max(b));
+        let area = 2.0 * halves[0].perp_dot(halves[1]).abs();
+        let density = area * per_area / (inner + outer);
+        let places = [-outer, -inner, inner, outer].map(|off| middle + off);
+        for (i, densities) in [[0.0, density], [density; 2], [density, 0.0]]
+            .into_iter()
+            .enumerate()
+        {
+            if places[i + 1] > places[i] {
+                self.push(places[i], places[i + 1], densities)?;
+            }
+        }
+        Some(())
     }
 
     fn add_region(
@@ -97,7 +127,7 @@ impl Densities {
         region: &Region,
         origin: DVec2,
         across: DVec2,
-        pixel_area: f64,
+        per_area: f64,
     ) -> Option<()> {
         // Corners by place across and height along, which turns a counter-clockwise polygon clockwise.
         let count = region.corners().len();
@@ -125,7 +155,7 @@ impl Densities {
                 false => height_at([corners[upper], above], to) - below.y,
             };
             if to > from {
-                let densities = [chord, there].map(|chord: f64| chord.max(0.0) / pixel_area);
+                let densities = [chord, there].map(|chord: f64| chord.max(0.0) * per_area);
                 self.push(from, to, densities)?;
                 from = to;
             }
@@ -287,6 +317,33 @@ mod tests {
                 (all - share).abs() < 1e-6,
                 "{degrees}: {all} against {share}"
             );
+        }
+    }
+
+    /// A whole pixel's density across, which is told at once, is that of the polygon: what of the pixel lies on one side of a
+    /// line weighs its area.
+    #[test]
+    fn sides_of_a_line_weigh_their_areas() {
+        let edges = [
+            [0.3, 0.04, -0.02, 0.15],
+            [0.3, 0.0, 0.0, 0.3],
+            [0.01, 0.2, 0.2, 0.01],
+        ];
+        for [ax, ay, bx, by] in edges {
+            let pixel = Region::parallelogram(DVec2::new(ax, ay), DVec2::new(bx, by));
+            for degrees in [0.0_f64, 17.0, 45.0, 90.0, 133.0, 201.0] {
+                let across = DVec2::from_angle(degrees.to_radians());
+                let (mut densities, origin) = (Densities::EMPTY, DVec2::new(0.1, -0.2));
+                let weight = densities.add_regions(&[pixel], origin, across, pixel.area());
+                let weight = weight.unwrap();
+                for place in (-30..30).map(|i| f64::from(i) * 0.013) {
+                    let side = pixel.clipped(origin + across * place, -across);
+                    let share = side.map_or(0.0, |side| side.area() / pixel.area());
+                    let ours = densities.between(&weight, -10.0, single(place));
+                    let off = (f64::from(ours) - share).abs();
+                    assert!(off < 2e-6, "{degrees}, {place}: {ours} against {share}");
+                }
+            }
         }
     }
 

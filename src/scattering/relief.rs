@@ -101,6 +101,7 @@ impl Zones {
     }
 
     /// Forgets all but the surface's finish.
+    #[inline(always)]
     pub(crate) fn clear(&mut self) {
         self.used = 0;
         self.finish_count = 1;
@@ -109,8 +110,9 @@ impl Zones {
     }
 
     /// The finish of the flat surface, which has number 0; until [`Self::clear`] its kind does not count.
-    pub(crate) fn set_surface(&mut self, finish: Finish) {
-        self.finishes[0] = finish;
+    #[inline(always)]
+    pub(crate) fn set_surface(&mut self, finish: &Finish) {
+        self.finishes[0] = *finish;
     }
 
     /// The number of a finish among those that this point holds.
@@ -375,7 +377,13 @@ fn beside(inner: [f32; 2], wider: [f32; 2]) -> [f32; 2] {
     reason = "the cast saturates"
 )]
 pub(super) fn packed(share: f32) -> u16 {
-    (share * WHOLE + 0.5) as u16
+    scaled_up(share) as u16
+}
+
+/// The whole number below this is the share's.
+#[inline(always)]
+fn scaled_up<F: Number>(share: F) -> F {
+    share * WHOLE + 0.5
 }
 
 pub(super) fn unpacked(share: u16) -> f32 {

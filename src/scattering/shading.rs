@@ -6,7 +6,7 @@ use super::flocks::Flocks;
 use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, Relief, Zones};
 use crate::brdf::Finish;
 use crate::error::{Error, Result, all_finite};
-use crate::pattern::{Candidates, Frame, Metric, Pattern, Reach, SurfacePoint};
+use crate::pattern::{Candidates, Frame, Metric, Pattern, Reach, Region, SurfacePoint};
 use crate::unit;
 use glam::Vec3;
 
@@ -63,7 +63,15 @@ impl Shading {
     /// a footprint of no usable size (0, infinite, NaN) is a point. Allocates nothing.
     #[inline(always)]
     pub fn shade(&mut self, pattern: &Pattern, point: &SurfacePoint, view: [f32; 3]) -> Result<()> {
-        self.begin(pattern.hosts.found(&pattern.surface), view)?;
+        let own;
+        let surface = match pattern.surface.hosted() {
+            None => &pattern.surface,
+            Some(_) => {
+                own = pattern.hosts.found(&pattern.surface);
+                &own
+            }
+        };
+        self.begin(surface, view)?;
         let reach_mm = self.reach_mm(pattern);
         let mut candidates = Candidates::new();
         let glance = point.box_at_a_glance(pattern.mm_per_scene_unit, reach_mm);
@@ -86,9 +94,10 @@ impl Shading {
         candidates: &mut Candidates,
     ) -> Result<()> {
         let scale = pattern.mm_per_scene_unit;
-        let frame = Frame::at(&point)?;
+        let frame = Frame::of(point.normal, point.dp_du)?;
         let metric = Metric::at(&point, &frame, scale)?;
-        let (region, footprint) = metric.region(&point.footprint, scale);
+        let ([a, b], footprint) = metric.edges(&point.footprint, scale);
+        let region = Region::parallelogram(a, b);
         if self.view.z >= LEAST_COS {
             let reach = Reach::new(&metric, &region, reach_mm);
             let complete = found.unwrap_or_else(|| pattern.candidates(&reach, candidates));
@@ -114,7 +123,7 @@ impl Shading {
     }
 
     #[inline(always)]
-    pub(super) fn begin(&mut self, surface: Finish, view: [f32; 3]) -> Result<()> {
+    pub(super) fn begin(&mut self, surface: &Finish, view: [f32; 3]) -> Result<()> {
         self.zones.set_surface(surface);
         self.clear();
         let Some(unit) = direction(view) else {
@@ -125,6 +134,7 @@ impl Shading {
         Ok(())
     }
 
+    #[inline(always)]
     fn clear(&mut self) {
         self.coverage = 0.0;
         self.scratch_count = 0;
@@ -137,6 +147,7 @@ impl Shading {
     }
 
     /// How far from the footprint a scratch can matter: by its width, by parallax, by its shadow.
+    #[inline(always)]
     fn reach_mm(&self, pattern: &Pattern) -> f64 {
         let parallax = (self.view.truncate().length() / self.view.z).min(LONGEST_PARALLAX);
         let extent = pattern.extent;

@@ -68,6 +68,7 @@ pub(crate) struct Parts {
 }
 
 impl Parts {
+    #[inline(always)]
     pub(crate) const fn new() -> Self {
         Self {
             leftwards: false,
@@ -115,8 +116,9 @@ impl Parts {
         for group in 0..groups {
             let group = if LEFTWARDS { groups - 1 - group } else { group };
             let k = group * L::WIDTH;
-            let key = w.keys(lanes, &xs[k..], &zs[k..]);
-            let next = w.keys(lanes, &xs[k + 1..], &zs[k + 1..]);
+            let (xs, zs) = (&xs[k..=k + L::WIDTH], &zs[k..=k + L::WIDTH]);
+            let key = w.keys(lanes, xs, zs);
+            let next = w.keys(lanes, &xs[1..], &zs[1..]);
             let near = if LEFTWARDS { next } else { key };
             let near = match LEFTWARDS {
                 true => -first_below_any(lanes, facets - k, -near),
@@ -142,15 +144,20 @@ impl Parts {
     /// From where to where facets are unblocked, from number `k` on.
     #[inline(always)]
     pub(crate) fn load<L: Lanes>(&self, lanes: L, k: usize) -> [L::F; 2] {
-        part(lanes.load(&self.ends[k..]), self.leftwards)
+        part(self.ends_from(lanes, k), self.leftwards)
     }
 
     pub(crate) fn of(&self, facet: usize) -> Part {
         part(self.end(facet), self.leftwards)
     }
 
-    /// The one end of a facet's part that is not its facet's.
-    pub(super) fn end(&self, facet: usize) -> f32 {
+    /// The one end of each facet's part that is not its facet's, from number `k` on.
+    #[inline(always)]
+    pub(super) fn ends_from<L: Lanes>(&self, lanes: L, k: usize) -> L::F {
+        lanes.load(&self.ends[k..])
+    }
+
+    fn end(&self, facet: usize) -> f32 {
         self.ends[facet]
     }
 }

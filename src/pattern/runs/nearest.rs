@@ -1,7 +1,7 @@
 //! Which place of a run stands for what a footprint holds of it.
 
 use super::{Run, Walk};
-use crate::pattern::closest::{length_share, nearest};
+use crate::pattern::closest::{length_share, nearest, nearest_on_line};
 use crate::pattern::hit::Hit;
 use crate::pattern::profile::Profile;
 use crate::pattern::region::Region;
@@ -26,7 +26,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
     /// scratch is covered depends on how wide it is there, and that on what is covered.
     pub(super) fn look(
         &self,
-        run: &Run<'p>,
+        run: &Run<'_, 'p>,
         region: &Region,
         mut near: Near,
         mut profile: Profile<'p>,
@@ -59,7 +59,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
     /// length.
     fn stretch(
         &self,
-        run: &Run<'p>,
+        run: &Run<'_, 'p>,
         region: &Region,
         near: &Near,
         half_width_mm: f64,
@@ -84,7 +84,19 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         (near, stretch)
     }
 
-    pub(super) fn nearest_on(&self, run: &Run<'p>, target: DVec2) -> Near {
+    pub(super) fn nearest_on(&self, run: &Run<'_, 'p>, target: DVec2) -> Near {
+        let first = run.first;
+        if first.is_line && first.number == run.last.number {
+            let [a, _, _, d] = first.control;
+            let (t, origin, travel) = nearest_on_line(a, d, target);
+            let [from, to] = first.at;
+            return Near {
+                distance: origin.distance_squared(target),
+                at: from + (to - from) * t,
+                origin,
+                travel,
+            };
+        }
         let on = |control: &[DVec2; 4], [from, to]: [f64; 2]| {
             let (t, origin, travel) = nearest(control, target);
             Near {

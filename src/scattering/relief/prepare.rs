@@ -1,10 +1,13 @@
 //! A cross-section prepared for one view: which parts of its facets are seen, and how much of the pixel they are.
 
-use super::{LONGEST_SHADOW, Relief, Zones, packed};
+use super::{LONGEST_SHADOW, MOST_SLOTS, Relief, Zones, scaled_up};
 use crate::lanes::{Lanes, Number, in_lanes};
 use crate::scattering::footprint::Weight;
 use crate::scattering::visibility::{Across, Parts, first_below_any, first_of};
 use glam::{Vec2, Vec3};
+
+/// Those of a register's places.
+const NUMBERS: [f32; 8] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 impl Zones {
     /// Prepares the cross-section of so many vertices that was placed last for a view. It is kept if any of it lies in
@@ -16,19 +19,31 @@ impl Zones {
         weight: Weight,
         view: Vec3,
     ) -> Option<Relief> {
-        let first = self.used as usize;
-        let slots = first..first + vertices;
-        let v = Across {
+        let view = Across {
             x: view.truncate().dot(across),
             z: view.z,
         };
+        in_lanes!(lanes => self.prepare_in(lanes, vertices, across, weight, view))
+    }
+
+    #[inline(always)]
+    fn prepare_in<L: Lanes>(
+        &mut self,
+        lanes: L,
+        vertices: usize,
+        across: Vec2,
+        weight: Weight,
+        view: Across,
+    ) -> Option<Relief> {
+        let first = self.used as usize;
+        let last = first + vertices - 1;
         let mut parts = Parts::new();
-        let horizon = in_lanes!(lanes => parts.sweep(lanes, &self.x[first..], &self.z[first..], vertices - 1, v));
-        let (xs, zs) = (&self.x[slots.clone()], &self.z[slots]);
-        let [ends, ends_z] = [xs, zs].map(|of| [of[0], of[vertices - 1]]);
-        let seen_flat = v.flat_ends(horizon, ends);
+        let (xs, zs) = (&self.x[first..], &self.z[first..]);
+        let horizon = parts.sweep(lanes, xs, zs, vertices - 1, view);
+        let [ends, ends_z] = [&self.x, &self.z].map(|of| [of[first], of[last]]);
+        let seen_flat = view.flat_ends(horizon, ends);
         // A shadow may fall into the pixel from a scratch beside it.
-        let shadow = LONGEST_SHADOW * zs.iter().copied().fold(0.0, f32::max);
+        let shadow = LONGEST_SHADOW * highest(lanes, zs, vertices);
         let shaded = [seen_flat[0] - shadow, seen_flat[1] + shadow];
         if !self.densities.touches(&weight, shaded) {
             return None;
@@ -44,21 +59,27 @@ impl Zones {
             weight,
             ..Relief::NONE
         };
-        in_lanes!(lanes => self.weigh(lanes, &mut relief, &parts, v));
+        self.weigh(lanes, &mut relief, &parts, view);
         self.used += relief.vertices;
         Some(relief)
     }
 
-    /// Finds the normals of a relief's facets, and how much of the pixel they are.
+    /// Finds the normals of a relief's facets, and how much of the pixel they are. What is written beyond the last facet
+    /// means nothing: there is room for it, and who comes next has its own.
     #[inline(always)]
     fn weigh<L: Lanes>(&mut self, lanes: L, relief: &mut Relief, parts: &Parts, view: Across) {
         let (first, facets) = (relief.first as usize, relief.facets());
-        for k in 0..facets {
-            self.seen_end[first + k] = packed(parts.end(k));
-        }
         let [mut least, mut most] = relief.open.map(|slope| lanes.all(slope));
+        let (mut shown, mut from, mut to) = (
+            lanes.all(0.0),
+            lanes.all(f32::INFINITY),
+            lanes.all(f32::NEG_INFINITY),
+        );
         for k in (0..facets).step_by(L::WIDTH) {
-            let slot = first + k;
+            // Never more: so that nobody looks whether the arrays have room.
+            let slot = (first + k).min(MOST_SLOTS - 1);
+            let seen_end = scaled_up(parts.ends_from(lanes, k));
+            lanes.store_whole(seen_end, &mut self.seen_end[slot..]);
             // Scaled up first: facets of nanometres would underflow when squared.
             let [x, z] = self.runs(lanes, slot);
             let (x, z) = (x * 1e6, z * 1e6);
@@ -72,33 +93,60 @@ impl Zones {
             let seen = self.seen(lanes, slot, view.x >= 0.0);
             let weight = self.part_weight(lanes, relief, slot, seen, view.x / view.z);
             let weight = first_of(lanes, facets - k, weight);
-            relief.shown += weight.sum();
-            let own = L::WIDTH.min(facets - k);
-            let (mut normals, mut weights) = ([0.0; 8], [0.0; 8]);
-            lanes.store(normal_x, &mut normals);
-            lanes.store(weight, &mut weights);
-            self.normal_x[slot..slot + own].copy_from_slice(&normals[..own]);
-            self.weight[slot..slot + own].copy_from_slice(&weights[..own]);
+            shown = shown + weight;
+            let number = lanes.load(&NUMBERS) + k as f32;
+            from = from.min(weight.if_above(zero, number, from));
+            to = weight.if_above(zero, number, to);
+            lanes.store(normal_x, &mut self.normal_x[slot..]);
+            lanes.store(weight, &mut self.weight[slot..]);
         }
-        relief.open = [
-            lanes.most_up_to(least).lane(L::WIDTH - 1),
-            lanes.least_from(most).lane(0),
-        ];
-        self.note_seen_facets(relief);
+        relief.shown = shown.sum();
+        relief.open = [greatest_of(lanes, least), least_of(lanes, most)];
+        self.note_seen_facets(relief, [least_of(lanes, from), greatest_of(lanes, to)]);
     }
 
-    fn note_seen_facets(&self, relief: &mut Relief) {
-        let first = relief.first as usize;
-        let weights = &self.weight[first..first + relief.facets()];
-        let Some(from) = weights.iter().position(|&weight| weight > 0.0) else {
+    /// The first and the last facet that weigh anything, if any does.
+    #[inline(always)]
+    fn note_seen_facets(&self, relief: &mut Relief, [from, last]: [f32; 2]) {
+        if from > last {
             return;
-        };
-        let last = weights.iter().rposition(|&weight| weight > 0.0);
-        let to = last.map_or(from, |last| last + 1);
-        let finishes = &self.finish[first + from..first + to];
-        relief.seen_facets = [from, to].map(|facet| u8::try_from(facet).unwrap_or(u8::MAX));
+        }
+        let seen = [from, last + 1.0].map(byte);
+        let [from, to] = seen.map(|facet| relief.first as usize + usize::from(facet));
+        let finishes = &self.finish[from..to];
+        relief.seen_facets = seen;
         relief.is_uniform = finishes.iter().all(|finish| *finish == finishes[0]).into();
     }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the cast saturates"
+)]
+fn byte(number: f32) -> u8 {
+    number as u8
+}
+
+#[inline(always)]
+fn least_of<L: Lanes>(lanes: L, numbers: L::F) -> f32 {
+    lanes.least_from(numbers).lane(0)
+}
+
+#[inline(always)]
+fn greatest_of<L: Lanes>(lanes: L, numbers: L::F) -> f32 {
+    lanes.most_up_to(numbers).lane(L::WIDTH - 1)
+}
+
+/// The highest of the first `count` heights, or 0 if all are below. As many are read as there are lanes.
+#[inline(always)]
+fn highest<L: Lanes>(lanes: L, heights: &[f32], count: usize) -> f32 {
+    let mut most = lanes.all(0.0);
+    for k in (0..count).step_by(L::WIDTH) {
+        let own = first_below_any(lanes, count - k, lanes.load(&heights[k..]));
+        most = own.max(most);
+    }
+    greatest_of(lanes, most)
 }
 
 /// Between which slopes of a light the first `count` facets with these runs, from their left to their right ends, face it.

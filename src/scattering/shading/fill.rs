@@ -9,6 +9,7 @@ use crate::scattering::relief::{MOST_RELIEFS, MOST_SLOTS, Relief};
 use crate::single;
 use arrayvec::ArrayVec;
 use core::ops::ControlFlow;
+use core::slice;
 use glam::DVec2;
 
 /// Parts that crossings may cut a run's share of the pixel into.
@@ -88,7 +89,10 @@ impl Shading {
         let mut hits: ArrayVec<Hit<'_>, MOST> = ArrayVec::new();
         let (mut all, mut beside) = (true, 0);
         let many = (candidates.len() as f64 / FEW_PIECES - 1.0).clamp(0.0, 1.0);
-        let thin_caps_mm = THIN_CAPS * many * reach.footprint.thickness();
+        let thin_caps_mm = match many > 0.0 {
+            true => THIN_CAPS * many * reach.footprint.thickness(),
+            false => 0.0,
+        };
         let mut last = None;
         let thin_caps = pattern.for_each_run(candidates, reach, thin_caps_mm, &mut |hit| {
             let is_beside = hit.is_beside();
@@ -98,7 +102,9 @@ impl Shading {
                 last = Some(hit.scratch);
             }
             if !is_beside || beside <= most_beside {
-                all = hits.try_push(*hit).is_ok();
+                // Copied once: it is large.
+                let added = hits.try_extend_from_slice(slice::from_ref(hit));
+                all = added.is_ok();
             }
             if all {
                 ControlFlow::Continue(())
@@ -120,7 +126,7 @@ impl Shading {
                 self.add(
                     pattern,
                     hit,
-                    &[hit.region],
+                    slice::from_ref(&hit.region),
                     single(hit.alone),
                     reach.area_mm2,
                 );
@@ -174,7 +180,7 @@ impl Shading {
             };
             let added = alone > 0.0
                 && if right - left <= thin_mm {
-                    add(&[hit.region], whole / crossing.left_share(i, whole))
+                    add(slice::from_ref(&hit.region), whole / crossing.left_share(i, whole))
                 } else {
                     let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
                     parts.push(hit.region);
@@ -253,7 +259,10 @@ impl Shading {
         let shown = |flock: Flock| {
             flock.share * self.zones.seen_width(flock.slots, flock.across, self.view)
         };
-        let crowd: f32 = self.flocks.iter().map(shown).sum();
+        let crowd: f32 = match self.flocks.is_empty() {
+            true => 0.0,
+            false => self.flocks.iter().map(shown).sum(),
+        };
         let all = crowd + reliefs.iter().map(Relief::coverage).sum::<f32>();
         // What a damaged file holds may overflow: such a point is an unscratched one.
         if !all.is_finite() {
