@@ -114,6 +114,7 @@ impl Chains {
         Arc::make_mut(&mut self.pieces).truncate(pieces);
     }
 
+    #[cfg(test)]
     pub(crate) fn curves(&self) -> Curves<'_> {
         Curves {
             points: &self.points,
