@@ -9,8 +9,8 @@ use rayon::prelude::*;
 /// their numbers in a group would take more than 16 bits.
 const GROUPS: usize = 256;
 
-/// Sources that are looked at in one go: their numbers in it take 16 bits.
-const PORTION: usize = 1 << 16;
+/// Sources that are looked at in one go: their numbers in it take 16 bits, and what they put fits a processor's own memory.
+const PORTION: usize = 1 << 14;
 
 /// Items of each cell, in the order of their sources.
 #[derive(Clone, Debug, Default)]
@@ -20,18 +20,50 @@ pub(crate) struct Lists<T> {
     pub items: Vec<T>,
 }
 
-/// Takes items of some sources, group by group: the cell's number in its group, and the item.
+/// Takes items of some sources: the cell of each, and the item.
 #[derive(Debug)]
-pub(crate) struct Sink<T> {
-    groups: Vec<Vec<(u16, T)>>,
-    shift: u32,
-}
+pub(crate) struct Sink<T>(Vec<(u32, T)>);
 
 impl<T> Sink<T> {
     /// An item of a cell.
     pub(crate) fn put(&mut self, cell: u32, item: T) {
-        let own = low_bits(cell as usize & ((1 << self.shift) - 1));
-        self.groups[(cell >> self.shift) as usize].push((own, item));
+        self.0.push((cell, item));
+    }
+}
+
+/// Items of some sources, group by group: the cell's number in its group, and the item.
+struct Grouped<I> {
+    /// Where each group's items end.
+    ends: Vec<u32>,
+    cells: Vec<u16>,
+    items: Vec<I>,
+}
+
+impl<I: Copy + Zeroable> Grouped<I> {
+    /// Of so many groups of 2 to the power of `shift` cells.
+    fn of(put: &[(u32, I)], groups: usize, shift: u32) -> Self {
+        let mut ends = vec![0; groups];
+        let mut cells = zeroed_vec(put.len());
+        let mut items = zeroed_vec(put.len());
+        for (cell, _) in put {
+            ends[(cell >> shift) as usize] += 1;
+        }
+        let mut next = 0;
+        for end in &mut ends {
+            next += core::mem::replace(end, next);
+        }
+        for &(cell, item) in put {
+            let end = &mut ends[(cell >> shift) as usize];
+            cells[*end as usize] = low_bits(cell as usize & ((1 << shift) - 1));
+            items[*end as usize] = item;
+            *end += 1;
+        }
+        Self { ends, cells, items }
+    }
+
+    fn of_group(&self, group: usize) -> core::ops::Range<usize> {
+        let start = group.checked_sub(1).map_or(0, |before| self.ends[before]);
+        start as usize..self.ends[group] as usize
     }
 }
 
@@ -77,7 +109,7 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
     }
 
     /// The same of what `item` makes of that, and of the number of the portion that the source lies in.
-    fn sorted<R, I: Copy + Send + Sync>(
+    fn sorted<R, I: Copy + Zeroable + Send + Sync>(
         cells: usize,
         sources: usize,
         begin: impl Fn() -> R + Sync,
@@ -87,20 +119,20 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
         let per_group = cells.div_ceil(GROUPS).max(1).next_power_of_two();
         let shift = per_group.ilog2().min(u16::BITS);
         let count = cells.div_ceil(1 << shift);
-        let expected = 2 * sources.min(PORTION) / count.max(1);
-        let portions: Vec<Sink<I>> = (0..sources.div_ceil(PORTION))
+        // What is put is sorted by group at once, into memory of the very size.
+        let group_portion = |sink: &mut Sink<I>, portion: usize| {
+            sink.0.clear();
+            let (mut reader, first) = (begin(), portion * PORTION);
+            for source in first..(first + PORTION).min(sources) {
+                sort_in(&mut reader, source, sink);
+            }
+            Grouped::of(&sink.0, count, shift)
+        };
+        let portions: Vec<Grouped<I>> = (0..sources.div_ceil(PORTION))
             .into_par_iter()
-            .map(|portion| {
-                let groups = (0..count).map(|_| Vec::with_capacity(expected)).collect();
-                let (mut sink, mut reader) = (Sink { groups, shift }, begin());
-                let first = portion * PORTION;
-                for source in first..(first + PORTION).min(sources) {
-                    sort_in(&mut reader, source, &mut sink);
-                }
-                sink
-            })
+            .map_init(|| Sink(Vec::new()), group_portion)
             .collect();
-        let of_group = |group: usize| portions.iter().map(move |sink| sink.groups[group].len());
+        let of_group = |group: usize| portions.iter().map(move |own| own.of_group(group).len());
         let lengths = (0..count).map(|group| of_group(group).sum());
         let lengths: Vec<usize> = lengths.collect();
         let mut lists = Self {
@@ -120,8 +152,12 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
         let item = &item;
         groups.for_each(|(group, (before, starts, items))| {
             let of_portion = |portion: usize| {
-                let held = portions[portion].groups[group].iter();
-                held.map(move |&(cell, held)| (usize::from(cell), item(portion, held)))
+                let own = &portions[portion];
+                let held = own.of_group(group);
+                let cells = own.cells[held.clone()].iter();
+                cells
+                    .zip(&own.items[held])
+                    .map(move |(&cell, &held)| (usize::from(cell), item(portion, held)))
             };
             let all = || (0..portions.len()).flat_map(of_portion);
             sort(before, starts, items, all);
@@ -155,19 +191,19 @@ fn sort<T, I: Iterator<Item = (usize, T)>>(
     sorted: &mut [T],
     items: impl Fn() -> I,
 ) {
-    for (cell, _) in items() {
-        starts[cell] += 1;
-    }
+    items().for_each(|(cell, _)| starts[cell] += 1);
     let mut next = before;
     for start in &mut *starts {
         next += core::mem::replace(start, next);
     }
-    let mut next = starts.to_vec();
-    for (cell, item) in items() {
-        let place = &mut next[cell];
+    items().for_each(|(cell, item)| {
+        let place = &mut starts[cell];
         sorted[(*place - before) as usize] = item;
         *place += 1;
-    }
+    });
+    // Each has come to where the next one starts.
+    starts.copy_within(..starts.len() - 1, 1);
+    starts[0] = before;
 }
 
 #[expect(

@@ -1,5 +1,6 @@
 //! A scratch's path in texture space, as its author states it, and the cubic curves it comes to.
 
+use super::pieces::{is_plain, length, points_of};
 use super::spline::{Spline, SplineKind};
 use super::surface::{self, Surface};
 use crate::error::{Error, Result};
@@ -90,6 +91,10 @@ pub(crate) fn scaled(control: &[DVec2; 4], units_per_uv: DVec2) -> CubicBez {
 
 /// Arc length. No curve is shorter than its chord or longer than its control polygon.
 pub(crate) fn arc_length(curve: &CubicBez) -> f64 {
+    let control = points_of(curve);
+    if is_plain(&control) {
+        return length(&control, 0.0, 1.0);
+    }
     let chord = (curve.p3 - curve.p0).hypot();
     let polygon = (curve.p1 - curve.p0).hypot()
         + (curve.p2 - curve.p1).hypot()

@@ -84,8 +84,6 @@ impl Pattern {
             track: added.strand.track + if added.is_own { first_own } else { 0 },
             ..added.strand
         };
-        let curves = kept.chains.curves();
-        let grid = Grid::new(curves);
         let smoothest = tracks
             .finishes()
             .iter()
@@ -109,12 +107,18 @@ impl Pattern {
             visible: Store::default(),
             palette: Palette::default(),
             pyramid: Pyramid::default(),
-            grid,
+            grid: Grid::default(),
             tracks,
             hosts,
         };
-        pattern.visible = visible_shares(&pattern).into();
-        pattern.palette = Palette::new(&pattern.tracks, &pattern.station_areas());
+        // None of them asks for another, and where one cannot use all cores another does.
+        let (grid, (visible, areas)) = rayon::join(
+            || Grid::new(pattern.curves()),
+            || rayon::join(|| visible_shares(&pattern), || pattern.station_areas()),
+        );
+        pattern.grid = grid;
+        pattern.visible = visible.into();
+        pattern.palette = Palette::new(&pattern.tracks, &areas);
         pattern.tracks.blends = pattern.palette.blends(&pattern.tracks).into();
         pattern.tracks.sums = pattern.tracks.class_sums().into();
         pattern.pyramid = Pyramid::new(&pattern);

@@ -13,6 +13,11 @@ const MOST_TURN_RAD: f64 = 0.5;
 /// Arc length within a piece is interpolated; it strays from the true one by at most this share of the piece.
 const LENGTH_ACCURACY: f64 = 5e-5;
 
+/// Corners of a plain curve's control polygon turn by no more than this (its tangent), and no leg is longer than so many
+/// times another.
+const PLAIN_TURN: f64 = 0.05;
+const PLAIN_LEGS: f64 = 3.0;
+
 /// A path's curve is cut into at most 2 to the power of this.
 const MOST_HALVINGS: u32 = 9;
 
@@ -109,6 +114,7 @@ impl Chains {
         Arc::make_mut(&mut self.pieces).truncate(pieces);
     }
 
+    #[cfg(test)]
     pub(crate) fn curves(&self) -> Curves<'_> {
         Curves {
             points: &self.points,
@@ -127,10 +133,15 @@ struct Growing<'c> {
 
 impl Growing<'_> {
     fn push_curve(&mut self, curve: &Curve, before: f64, whole: f64, units_per_uv: DVec2) {
-        if let Some(length) = plain_length(&curve.control.map(|p| p * units_per_uv)) {
-            // On a mesh a curve's length is its own, not its texture space's.
-            let at = before + if length > 0.0 { curve.length } else { 0.0 };
-            return self.push(&curve.control, 0, curve.joins, at / whole);
+        let control = curve.control.map(|p| p * units_per_uv);
+        // On a mesh a curve's length is its own, not its texture space's.
+        let own = |length| if length > 0.0 { curve.length } else { 0.0 };
+        let way = match is_plain(&control) {
+            true => Some(curve.length),
+            false => plain_length(&control).map(own),
+        };
+        if let Some(way) = way {
+            return self.push(&curve.control, 0, curve.joins, (before + way) / whole);
         }
         let fits = |&halvings: &u32| {
             parts(&scaled(&curve.control, units_per_uv), halvings)
@@ -170,6 +181,14 @@ impl Piece {
     pub(crate) fn is_joined(&self) -> bool {
         self.place & JOINED != 0
     }
+
+    fn is_line(&self) -> bool {
+        self.place & LINE != 0
+    }
+
+    fn first_point(&self) -> usize {
+        (self.place & !(LINE | JOINED)) as usize
+    }
 }
 
 impl Curves<'_> {
@@ -181,10 +200,10 @@ impl Curves<'_> {
     /// The ends of a piece, (u, v), if it is kept as a straight line.
     #[inline(always)]
     pub(crate) fn line(&self, number: usize) -> Option<[DVec2; 2]> {
-        let place = self.pieces.get(number)?.place;
-        let first = (place & !(LINE | JOINED)) as usize;
+        let piece = self.pieces.get(number)?;
+        let first = piece.first_point();
         let ends = self.points.get(first..first + 2)?;
-        (place & LINE != 0).then(|| [ends[0], ends[1]])
+        piece.is_line().then(|| [ends[0], ends[1]])
     }
 
     /// Control points of a piece's cubic curve, (u, v).
@@ -203,14 +222,19 @@ impl Curves<'_> {
     /// once sooner than one after another.
     pub(crate) fn touch(&self, numbers: &[u32]) {
         let touched = numbers.iter().fold(0, |touched, &number| {
-            let place = self
-                .pieces
-                .get(number as usize)
-                .map_or(0, |piece| piece.place);
-            let first = (place & !(LINE | JOINED)) as usize;
+            let piece = self.pieces.get(number as usize);
+            let first = piece.map_or(0, Piece::first_point);
             touched ^ self.points.get(first).map_or(0, |point| point.x.to_bits())
         });
         core::hint::black_box(touched);
+    }
+
+    /// Where a piece starts and ends, (u, v).
+    pub(crate) fn ends(&self, number: usize) -> [DVec2; 2] {
+        let place = self.pieces.get(number).map_or(0, |piece| piece.place);
+        let first = (place & !(LINE | JOINED)) as usize;
+        let last = first + if place & LINE != 0 { 1 } else { 3 };
+        [first, last].map(|i| self.points.get(i).copied().unwrap_or(DVec2::ZERO))
     }
 
     /// Shares of the path's arc length at a piece's start and end.
@@ -266,9 +290,21 @@ fn parts(curve: &CubicBez, halvings: u32) -> impl Iterator<Item = CubicBez> {
     (0..count).map(move |i| curve.subsegment(part(i)..part(i + 1)))
 }
 
-fn points_of(curve: &CubicBez) -> [DVec2; 4] {
+pub(super) fn points_of(curve: &CubicBez) -> [DVec2; 4] {
     let point = |p: Point| DVec2::new(p.x, p.y);
     [curve.p0, curve.p1, curve.p2, curve.p3].map(point)
+}
+
+/// Whether a curve is so straight, and run through so evenly, that interpolation knows its parts, and [`length`] knows it
+/// within 3e-7: told without a root.
+pub(super) fn is_plain([a, b, c, d]: &[DVec2; 4]) -> bool {
+    let legs = [*b - *a, *c - *b, *d - *c];
+    let turns_little = |p: DVec2, q: DVec2| p.perp_dot(q).abs() < PLAIN_TURN * p.dot(q);
+    let [first, middle, last] = legs.map(DVec2::length_squared);
+    let (least, most) = (first.min(middle).min(last), first.max(middle).max(last));
+    turns_little(legs[0], legs[1])
+        && turns_little(legs[1], legs[2])
+        && most <= PLAIN_LEGS * PLAIN_LEGS * least
 }
 
 /// A curve's arc length, if it turns little and interpolation knows its parts.
@@ -290,7 +326,7 @@ fn plain_length(control: &[DVec2; 4]) -> Option<f64> {
 
 /// Arc length between two parameters by Gauss and Legendre's rule of five points: 1e-6 and better for what a piece
 /// may be.
-fn length(control: &[DVec2; 4], from: f64, to: f64) -> f64 {
+pub(super) fn length(control: &[DVec2; 4], from: f64, to: f64) -> f64 {
     const NODES: [(f64, f64); 5] = [
         (0.046910077030668, 0.118463442528095),
         (0.230765344947158, 0.239314335249683),
@@ -383,6 +419,45 @@ mod tests {
                 assert!((ours - truth).abs() < 1e-4, "{ours} against {truth}");
             }
             before += brute(&control, 1.0);
+        }
+    }
+
+    /// However a plain curve turns and runs within its bounds, interpolation knows its parts, and its length is that of
+    /// kurbo.
+    #[test]
+    fn plain_curves_are_plain() {
+        let turns = [-1.0, -0.4, 0.0, 1.0].map(|share| 0.999 * share * PLAIN_TURN);
+        let legs = [0.334, 0.6, 1.0];
+        for number in 0..4 * 4 * 27 {
+            let leg = |i: usize| legs[number / 16 / [1, 3, 9][i] % 3];
+            let turn_rad = |i: usize| turns[number / [1, 4][i] % 4].atan();
+            let middle = 7.0 * DVec2::from_angle(0.3);
+            let b = DVec2::new(3.0, -2.0);
+            let a = b - leg(0) * DVec2::from_angle(-turn_rad(0)).rotate(middle);
+            let c = b + leg(1) * middle;
+            let control = [
+                a,
+                b,
+                c,
+                c + leg(2) * DVec2::from_angle(turn_rad(1)).rotate(middle),
+            ];
+            assert!(is_plain(&control), "curve {number} is not");
+            let truth = |to: f64| {
+                let curve = scaled(&control, DVec2::ONE).subsegment(0.0..to);
+                kurbo::ParamCurveArclen::arclen(&curve, 1e-12)
+            };
+            let whole = truth(1.0);
+            let off = length(&control, 0.0, 1.0) / whole - 1.0;
+            assert!(off.abs() < 3e-7, "curve {number} is off by {off:e}");
+            let shares = LengthShares::of(&control);
+            for i in 1..20 {
+                let t = f64::from(i) / 20.0;
+                let off = shares.at(t) - truth(t) / whole;
+                assert!(
+                    off.abs() < LENGTH_ACCURACY,
+                    "curve {number}: {off:e} at {t}"
+                );
+            }
         }
     }
 

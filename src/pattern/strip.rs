@@ -73,7 +73,8 @@ impl Strip {
         }
         let middle = shared.iter().sum::<DVec2>() / shared.len() as f64;
         let quarter = 0.25 * length;
-        let before = [0.0, 1.0, 2.0, 3.0, 4.0].map(|i| area_before(&shared, i * quarter));
+        let places = [0.0, 1.0, 2.0, 3.0, 4.0].map(|i| i * quarter);
+        let before = areas_before(&shared, places);
         let whole = quarter * 2.0 * half_width;
         Some(Cover {
             place: self.start + along * middle.x + along.perp() * middle.y,
@@ -127,19 +128,21 @@ fn clipped(polygon: &Shared, side: impl Fn(DVec2) -> f64) -> Shared {
     kept
 }
 
-/// The area of a polygon, counter-clockwise, up to this x.
-fn area_before(polygon: &Shared, x: f64) -> f64 {
-    let mut area = 0.0;
+/// The area of a polygon, counter-clockwise, up to each x.
+fn areas_before(polygon: &Shared, xs: [f64; 5]) -> [f64; 5] {
+    let mut areas = [0.0; 5];
     for (i, &a) in polygon.iter().enumerate() {
         let b = polygon[(i + 1) % polygon.len()];
-        let (from, to) = (a.x.min(x), b.x.min(x));
-        if from != to {
-            let slope = (b.y - a.y) / (b.x - a.x);
-            let middle = 0.5 * (from + to) - a.x;
-            area -= (to - from) * (a.y + slope * middle);
+        let slope = (b.y - a.y) / (b.x - a.x);
+        for (area, x) in areas.iter_mut().zip(xs) {
+            let (from, to) = (a.x.min(x), b.x.min(x));
+            if from != to {
+                let middle = 0.5 * (from + to) - a.x;
+                *area -= (to - from) * (a.y + slope * middle);
+            }
         }
     }
-    area
+    areas
 }
 
 #[cfg(test)]

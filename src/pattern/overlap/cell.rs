@@ -46,7 +46,7 @@ pub(super) fn look(part: &mut Part, list: &[u32], strips: &[Covered], within: [D
 fn look_in(part: &mut Part, crowd: &Crowd<'_>, strips: &[Covered]) {
     let list = crowd.list;
     if list.len() > MANY {
-        let strip = |i: u32| strips[i as usize].strip;
+        let strip = |i: u32| strips[i as usize].strip();
         let per_side = crowd.parts_per_side(strip);
         if per_side >= 2.0 {
             let parts = crowd.parts(per_side, strip);
@@ -73,7 +73,7 @@ fn look_in(part: &mut Part, crowd: &Crowd<'_>, strips: &[Covered]) {
 impl Cell {
     fn of(list: &[u32], strips: &[Covered]) -> Self {
         // All at once: many are waited for at the same time.
-        let strips: Vec<Strip> = list.iter().map(|&i| strips[i as usize].strip).collect();
+        let strips: Vec<Strip> = list.iter().map(|&i| strips[i as usize].strip()).collect();
         let line = |(&i, strip)| Line::of(i, strip);
         Self {
             lines: list.iter().zip(&strips).map(line).collect(),

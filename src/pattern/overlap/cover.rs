@@ -3,7 +3,7 @@
 use crate::pattern::strip::{Strip, crossed, for_each_quarter};
 use crate::single;
 use core::sync::atomic::{AtomicU32, Ordering};
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 
 /// Strips whose crossing takes up more than this share of their length are nearly parallel.
 pub(super) const SHORT: f64 = 0.25;
@@ -21,10 +21,13 @@ const FULL: u32 = 1 << 30;
 /// What is left of the quarters of a strip.
 pub(super) type Left = [f32; 4];
 
-/// A strip, and what covers its quarters, whatever threads find it: both in one line of a processor's memory.
-#[repr(align(64))]
+/// A strip, and what covers its quarters, whatever threads find it: together, and no larger than need be, for they are
+/// waited for.
 pub(super) struct Covered {
-    pub strip: Strip,
+    start: DVec2,
+    /// From there to the end: short enough for single precision.
+    step: Vec2,
+    half_width: f32,
     sums: [AtomicU32; 4],
 }
 
@@ -32,8 +35,18 @@ impl Covered {
     /// A strip that nothing covers.
     pub(super) fn new(strip: Strip) -> Self {
         Self {
-            strip,
+            start: strip.start,
+            step: (strip.end - strip.start).as_vec2(),
+            half_width: single(strip.half_width),
             sums: Default::default(),
+        }
+    }
+
+    pub(super) fn strip(&self) -> Strip {
+        Strip {
+            start: self.start,
+            end: self.start + self.step.as_dvec2(),
+            half_width: self.half_width.into(),
         }
     }
 

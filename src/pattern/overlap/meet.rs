@@ -14,7 +14,7 @@ pub(super) const EIGHT: usize = 8;
 pub(super) type Numbers = [[f32; EIGHT]; NUMBERS];
 
 /// On one side of every strip.
-pub(super) const NOWHERE: [f64; NUMBERS] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0];
+pub(super) const NOWHERE: [f64; NUMBERS] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0];
 
 /// Strips at a smaller angle to one another (its sine) are nearly parallel, however thin they are.
 const LEAST_SIN: f32 = 1.0 / 64.0;
@@ -30,7 +30,7 @@ pub(super) struct Seen<F> {
     /// Start and end of the part of it that may lie in the box.
     ends: [[F; 2]; 2],
     normal: [F; 2],
-    /// The normal times any place on the centre line.
+    /// How far the origin lies to the left of the centre line.
     offset: F,
     half_width: F,
     /// Of all of it.
@@ -149,7 +149,8 @@ impl<F: Number> Seen<F> {
     /// How far places lie to the left of its centre line.
     #[inline(always)]
     fn sides_of(&self, places: &[[F; 2]; 2]) -> [F; 2] {
-        let side = |[x, y]: [F; 2]| self.normal[0] * x + self.normal[1] * y - self.offset;
+        let [x, y] = self.normal;
+        let side = |place: [F; 2]| x.times_plus(place[0], y.times_plus(place[1], self.offset));
         [side(places[0]), side(places[1])]
     }
 

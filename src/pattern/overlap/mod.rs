@@ -40,12 +40,12 @@ fn shares_left<R>(
     let covered = |reader: &mut R, i| Covered::new(strip(reader, i));
     let strips = (0..count).into_par_iter().map_init(begin, covered);
     let strips: Vec<Covered> = strips.collect();
-    let Some(extents) = Extents::of(count, |i| strips[i].strip.bounds()) else {
+    let Some(extents) = Extents::of(count, |i| strips[i].strip().bounds()) else {
         return Vec::new();
     };
     let raster = extents.raster(PER_CELL, MOST_CELLS_PER_STRIP);
     let cells = Lists::of_sources(raster.count(), count, |i, source| {
-        let strip = &strips[i].strip;
+        let strip = strips[i].strip();
         if strip.half_width > 0.0 {
             let line = [strip.start, strip.end];
             raster.for_each_cell_within(strip.half_width, line, |cell| source.lies_in(cell));
@@ -62,7 +62,7 @@ fn shares_left<R>(
 fn strip(reader: &mut Reader<'_>, number: usize) -> Strip {
     let pattern = reader.pattern;
     let curves = pattern.curves();
-    let [start, _, _, end] = curves.control(number);
+    let [start, end] = curves.ends(number);
     let scale = pattern.units_per_uv * pattern.mm_per_scene_unit;
     Strip {
         start: start * scale,

@@ -66,7 +66,7 @@ impl Part {
                 end.y,
                 normal.x,
                 normal.y,
-                normal.dot(ends[0]),
+                -normal.dot(ends[0]),
                 half_width,
                 line.length,
                 4.0 * from,

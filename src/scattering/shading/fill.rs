@@ -180,7 +180,10 @@ impl Shading {
             };
             let added = alone > 0.0
                 && if right - left <= thin_mm {
-                    add(slice::from_ref(&hit.region), whole / crossing.left_share(i, whole))
+                    add(
+                        slice::from_ref(&hit.region),
+                        whole / crossing.left_share(i, whole),
+                    )
                 } else {
                     let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
                     parts.push(hit.region);
