@@ -20,7 +20,7 @@ help:
 	@echo "make demo           render the plate's three views into $(OUT)/"
 	@echo "make demo CHECK=1   and compare one sample per pixel with 256"
 	@echo "make demo ARGS=...  with the renderer's own options: ARGS=--help lists them"
-	@echo "make figures        the paper's Figures 5, 7 and 9 to 13 into $(OUT)/; ten minutes or so"
+	@echo "make figures        the paper's Figures 5, 7 and 9 to 13 into $(OUT)/; half an hour or so"
 	@echo "make figures SCENES=ring    Figures 7 and 9, and only some of the scenes: plate crossing aluminium car ring"
 	@echo "make compare        the library against brute force and POV-Ray, which see the relief's own triangles: a table,"
 	@echo "                    $(OUT)/compare.json and pictures in $(OUT)/compare/; ten minutes or so"

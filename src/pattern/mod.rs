@@ -5,6 +5,7 @@
 //! while rendering neither allocates nor locks.
 
 mod along;
+mod arc_length;
 mod builder;
 mod caps;
 mod chords;

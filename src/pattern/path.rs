@@ -1,6 +1,7 @@
 //! A scratch's path in texture space, as its author states it, and the cubic curves it comes to.
 
-use super::pieces::{is_plain, length, points_of};
+use super::arc_length::{is_plain, length};
+use super::pieces::points_of;
 use super::spline::{Spline, SplineKind};
 use super::surface::{self, Surface};
 use crate::error::{Error, Result};
