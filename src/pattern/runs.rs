@@ -325,6 +325,9 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         if !(from.cmple(self.near[1]).all() && to.cmpge(self.near[0]).all()) {
             return;
         }
+        if self.is_beyond(part) {
+            return;
+        }
         if halvings == 0 || self.is_one_run(part) {
             return self.emit(&Run::of(part));
         }
@@ -348,6 +351,15 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             &part_of(second, [middle, to], [parting, part.parting[1]]),
             halvings - 1,
         );
+    }
+
+    /// Whether nothing of the footprint lies between the lines across which a part begins and ends.
+    fn is_beyond(&self, part: &Part<'p>) -> bool {
+        let [start, end] = [part.control[0], part.control[3]];
+        let [forwards, onwards] = part.parting;
+        let [_, most] = self.reach.footprint.extent(start, forwards);
+        let [least, _] = self.reach.footprint.extent(end, onwards);
+        most <= 0.0 || least >= 0.0
     }
 
     fn tell(&mut self, hit: &Hit<'p>) {
