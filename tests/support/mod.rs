@@ -10,6 +10,7 @@ pub(crate) mod lines;
 pub(crate) mod meshes;
 pub(crate) mod process;
 pub(crate) mod refusal;
+pub(crate) mod reliefs;
 pub(crate) mod tool_surface;
 
 use glam::DVec2;
