@@ -22,11 +22,13 @@ const SIDE_MM: f64 = 100.0;
 const MANY: u32 = 64;
 
 /// A call of each kind, and of how many things it disposes.
-const JOBS: [(&str, u32); 10] = [
+const JOBS: [(&str, u32); 12] = [
     ("ggx", 1),
     ("shade_empty", 1),
     ("shade_one", 1),
     ("shade_four", 1),
+    ("shade_curved", 1),
+    ("shade_tapering", 1),
     ("eval", 1),
     ("eval_four", 1),
     ("eval_pdf", 1),
@@ -148,6 +150,8 @@ fn counted(job: &str, calls: u32) -> Option<f64> {
 struct Scene {
     one: Pattern,
     four: Pattern,
+    /// A curve that sets in, goes on evenly and runs out.
+    curved: Pattern,
     /// Packed, x then y then z.
     lights: [Vec<f32>; 3],
     numbers: [Vec<f32>; 3],
@@ -160,6 +164,7 @@ impl Scene {
         Self {
             one: pattern(&[0.5]),
             four: pattern(&[0.5, 0.5003, 0.5006, 0.5009]),
+            curved: curved(),
             lights,
             numbers,
         }
@@ -187,6 +192,8 @@ impl Scene {
             "shade_empty" => shade(shading, &self.one, &point(0.25, 0.05), i),
             "shade_one" => shade(shading, &self.one, &point(0.5, 0.05), i),
             "shade_four" => shade(shading, &self.four, &point(0.5, 0.05), i),
+            "shade_curved" => shade(shading, &self.curved, &on_curve(0.4), i),
+            "shade_tapering" => shade(shading, &self.curved, &on_curve(0.1), i),
             "eval" | "eval_four" => {
                 black_box(black_box(&*shading).eval(direction(i), Output::BrdfCos));
             }
@@ -228,10 +235,14 @@ fn shade(shading: &mut Shading, pattern: &Pattern, point: &SurfacePoint, i: u32)
     black_box(shading);
 }
 
+fn builder() -> PatternBuilder {
+    let material = Material::metal(Metal::Steel);
+    PatternBuilder::new(material, 1.0, [SIDE_MM; 2]).expect("valid")
+}
+
 /// Scratches that run along v at these u, and one far away.
 fn pattern(us: &[f64]) -> Pattern {
-    let material = Material::metal(Metal::Steel);
-    let mut builder = PatternBuilder::new(material, 1.0, [SIDE_MM; 2]).expect("valid");
+    let mut builder = builder();
     let (tool, keys) = (Tool::rockwell_c(), [Key::force(0.0, 1.0)]);
     for &u in us.iter().chain(&[0.9]) {
         let line = [[u, 0.0], [u, 1.0]];
@@ -243,6 +254,33 @@ fn pattern(us: &[f64]) -> Pattern {
         builder.add(&scratch).expect("valid");
     }
     builder.build()
+}
+
+/// Its control points.
+const CURVE: [[f64; 2]; 4] = [[0.2, 0.3], [0.3, 0.5], [0.4, 0.45], [0.6, 0.6]];
+
+fn curved() -> Pattern {
+    let mut builder = builder();
+    let tool = Tool::rockwell_c();
+    let forces = [(0.0, 0.0), (0.3, 1.0), (0.7, 1.0), (1.0, 0.0)];
+    let scratch = Scratch {
+        path: Path::CubicBezier(&CURVE),
+        keys: &forces.map(|(at, force_kgf)| Key::force(at, force_kgf)),
+        ..Scratch::new(&tool)
+    };
+    builder.add(&scratch).expect("valid");
+    builder.build()
+}
+
+/// A point at parameter `t` of it.
+fn on_curve(t: f64) -> SurfacePoint {
+    let s = 1.0 - t;
+    let weights = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
+    let of = |axis: usize| CURVE.iter().zip(weights).map(|(p, w)| p[axis] * w).sum();
+    SurfacePoint {
+        uv: [of(0), of(1)],
+        ..point(0.0, 0.05)
+    }
 }
 
 fn point(u: f64, radius_mm: f32) -> SurfacePoint {

@@ -19,13 +19,38 @@ pub(crate) fn is_even_line([a, b, c, d]: &[DVec2; 4]) -> bool {
     bends[0].max(bends[1]) <= 1e-18 * (*d - *a).length_squared()
 }
 
-/// Its first and second derivatives.
-fn derivatives(control: &[DVec2; 4], t: f64) -> (DVec2, DVec2) {
-    let [a, b, c, d] = *control;
-    let (ab, bc, cd) = (b - a, c - b, d - c);
-    let first = 3.0 * ab.lerp(bc, t).lerp(bc.lerp(cd, t), t);
-    let second = 6.0 * (bc - ab).lerp(cd - bc, t);
-    (first, second)
+/// A curve by powers of its parameter: what is asked for at many places is told soonest from these.
+struct Powers {
+    start: DVec2,
+    once: DVec2,
+    twice: DVec2,
+    thrice: DVec2,
+}
+
+impl Powers {
+    #[inline(always)]
+    fn of([a, b, c, d]: &[DVec2; 4]) -> Self {
+        let (ab, bc, cd) = (*b - *a, *c - *b, *d - *c);
+        let (bend, other) = (bc - ab, cd - bc);
+        Self {
+            start: *a,
+            once: 3.0 * ab,
+            twice: 3.0 * bend,
+            thrice: other - bend,
+        }
+    }
+
+    #[inline(always)]
+    fn point(&self, t: f64) -> DVec2 {
+        self.start + t * (self.once + t * (self.twice + t * self.thrice))
+    }
+
+    /// Its first and second derivatives.
+    #[inline(always)]
+    fn derivatives(&self, t: f64) -> (DVec2, DVec2) {
+        let (twice, thrice) = (2.0 * self.twice, 3.0 * t * self.thrice);
+        (self.once + t * (twice + thrice), twice + 2.0 * thrice)
+    }
 }
 
 /// Parameter and point nearest to `target` on the line from the one point to the other, and its unit tangent.
@@ -66,10 +91,11 @@ pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2
     if is_even_line(control) {
         return nearest_on_line(control[0], control[3], target);
     }
+    let curve = Powers::of(control);
     let mut t = foot(control[0], control[3] - control[0], target);
     for _ in 0..3 {
-        let away = bezier(control, t) - target;
-        let (first, second) = derivatives(control, t);
+        let away = curve.point(t) - target;
+        let (first, second) = curve.derivatives(t);
         let slope = first.length_squared() + away.dot(second);
         let step = if slope > 0.0 {
             away.dot(first) / slope
@@ -81,31 +107,61 @@ pub(crate) fn nearest(control: &[DVec2; 4], target: DVec2) -> (f64, DVec2, DVec2
             break;
         }
     }
-    (t, bezier(control, t), tangent(control, t))
+    (t, curve.point(t), direction(control, &curve, t))
 }
 
 /// The unit tangent at parameter t.
 pub(crate) fn tangent(control: &[DVec2; 4], t: f64) -> DVec2 {
-    let [a, _, _, d] = *control;
-    let chord = d - a;
-    if is_even_line(control) {
-        return unit_or_x(chord);
+    match is_even_line(control) {
+        true => unit_or_x(control[3] - control[0]),
+        false => direction(control, &Powers::of(control), t),
     }
-    let (first, second) = derivatives(control, t);
-    // At a control point that lies on the curve's end the derivative vanishes: the curve leaves along the next.
-    let vanishes = first.length_squared() <= 1e-12 * chord.length_squared();
+}
+
+/// The same of a curve that is no even line.
+#[inline(always)]
+fn direction(control: &[DVec2; 4], curve: &Powers, t: f64) -> DVec2 {
+    let (first, second) = curve.derivatives(t);
     let inward = if t > 0.5 { -second } else { second };
-    let direction = match vanishes {
-        false => first,
-        true if inward.length_squared() > 1e-12 * chord.length_squared() => inward,
-        true => chord,
-    };
-    unit_or_x(direction)
+    unit_or_x(leading(first, inward, control[3] - control[0]))
+}
+
+/// At a control point that lies on the curve's end the derivative vanishes: the curve leaves along the next.
+#[inline(always)]
+fn leading(first: DVec2, inward: DVec2, chord: DVec2) -> DVec2 {
+    let least = 1e-12 * chord.length_squared();
+    let leads = |v: &DVec2| v.length_squared() > least;
+    [first, inward].into_iter().find(leads).unwrap_or(chord)
+}
+
+/// The unit tangents at both ends.
+pub(crate) fn end_tangents(control: &[DVec2; 4]) -> [DVec2; 2] {
+    [start_tangent(control), end_tangent(control)]
+}
+
+/// The unit tangent where a curve starts.
+#[inline(always)]
+pub(crate) fn start_tangent([a, b, c, d]: &[DVec2; 4]) -> DVec2 {
+    unit_or_x(leading(
+        3.0 * (*b - *a),
+        6.0 * (*c - 2.0 * *b + *a),
+        *d - *a,
+    ))
+}
+
+/// The unit tangent where it ends.
+#[inline(always)]
+pub(crate) fn end_tangent([a, b, c, d]: &[DVec2; 4]) -> DVec2 {
+    unit_or_x(leading(
+        3.0 * (*d - *c),
+        6.0 * (2.0 * *c - *b - *d),
+        *d - *a,
+    ))
 }
 
 /// How fast a curve runs at parameter t, per unit of it.
 pub(crate) fn speed(control: &[DVec2; 4], t: f64) -> f64 {
-    derivatives(control, t).0.length()
+    Powers::of(control).derivatives(t).0.length()
 }
 
 /// How arc length runs along a piece: cubic Hermite through the speeds at both ends.
@@ -117,7 +173,12 @@ pub(crate) struct LengthShares {
 
 impl LengthShares {
     pub(crate) fn of(control: &[DVec2; 4]) -> Self {
-        let [from, middle, to] = [0.0, 0.5, 1.0].map(|t| speed(control, t));
+        let [a, b, c, d] = *control;
+        let [from, middle, to] = [
+            3.0 * (b - a).length(),
+            0.75 * (c - b + d - a).length(),
+            3.0 * (d - c).length(),
+        ];
         let length = (from + 4.0 * middle + to) / 6.0;
         let speeds = match length > 0.0 {
             true => [from / length, to / length],

@@ -106,6 +106,12 @@ impl Course<'_> {
         self.value_before(self.next(at), at)
     }
 
+    /// The same, and the number of the first knot behind it.
+    pub(crate) fn value_and_next(&self, at: f64) -> (f64, usize) {
+        let next = self.next(at);
+        (self.value_before(next, at), next)
+    }
+
     /// The number of the first knot behind a share of arc length.
     fn next(&self, at: f64) -> usize {
         self.knots.partition_point(|knot| f64::from(knot[0]) <= at)

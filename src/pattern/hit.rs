@@ -40,7 +40,7 @@ impl Hit<'_> {
 
     /// Vertices of its cross-section, once it is cut into layers.
     pub(crate) fn most_vertices(&self) -> usize {
-        self.profile.vertex_count + 2 * self.track.layers.len()
+        self.profile.vertex_count + 2 * self.track.layers().len()
     }
 
     /// Point and inward direction of two lines along the run, so far across.

@@ -147,7 +147,10 @@ impl Pattern {
             return [0.0; 2];
         };
         let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
-        let (xs, zs) = (&mut xs[..track.vertex_count], &mut zs[..track.vertex_count]);
+        let (xs, zs) = (
+            &mut xs[..track.vertex_count()],
+            &mut zs[..track.vertex_count()],
+        );
         track.profile(course.value(at)).sample(xs, zs);
         let lowest = zs.iter().copied().fold(0.0, f32::min);
         // A difference with zero, for zero has a sign.

@@ -226,7 +226,7 @@ mod tests {
         let mut tracks = Tracks::default();
         let number = tracks.push(&kind.track());
         let track = tracks.get(number).expect("a sound track");
-        assert_eq!((track.vertex_count, track.half_width_mm), (6, 0.0));
+        assert_eq!((track.vertex_count(), track.half_width_mm()), (6, 0.0));
     }
 
     /// No law refuses less than what it allowed: a track is never bare for what `admit` let in.

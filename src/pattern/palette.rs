@@ -192,10 +192,10 @@ impl Palette {
     /// A station's cross-section.
     fn shape(&self, track: &TrackRef<'_>, station: usize) -> Shape {
         let (mut xs, mut zs) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
-        let count = track.vertex_count.min(MOST_VERTICES);
+        let count = track.vertex_count().min(MOST_VERTICES);
         let (xs, zs) = (&mut xs[..count], &mut zs[..count]);
         track.profile(track.station_at(station)).sample(xs, zs);
-        let bottoms = track.layers.iter().map(|layer| layer.bottom_mm);
+        let bottoms = track.layers().iter().map(|layer| layer.bottom_mm);
         let (mut x, mut z, mut layer) = ([0.0; MOST_CUT], [0.0; MOST_CUT], [0; MOST_CUT]);
         let slots = Layered {
             x: &mut x,

@@ -172,7 +172,7 @@ impl Pattern {
                 });
                 let length = whole * (to - from) / f64::from(places);
                 let (area, mix) = (length * width, f64::from(mix));
-                let first = track.first_station + station;
+                let first = track.first_station() + station;
                 areas[first] += area * (1.0 - mix);
                 if mix > 0.0 {
                     areas[first + 1] += area * mix;

@@ -86,7 +86,7 @@ impl<'p> Profile<'p> {
                 (station, at) = (next, stop);
             }
         }
-        let (vertices, stride) = (track.shapes_from(first), track.vertex_count);
+        let (vertices, stride) = (track.shapes_from(first), track.vertex_count());
         let shapes = end - first + 1;
         Self {
             vertices,

@@ -84,7 +84,7 @@ impl<A: Copy + Default> Recent<A> {
         way: [f64; 2],
         answer: impl FnOnce() -> A,
     ) -> A {
-        let asked = (track.first_station, way);
+        let asked = (track.first_station(), way);
         if self.asked[0] == asked {
             return self.answers[0];
         }

@@ -1,19 +1,21 @@
 //! From pieces near a footprint to runs: stretches of scratch with one direction and one cross-section.
 
 mod nearest;
+mod part;
 
 use super::Pattern;
 use super::caps::CapAt;
-use super::closest::{is_even_line, length_share, tangent, unit_or_x};
-use super::course::Course;
+use super::closest::{
+    end_tangent, end_tangents, is_even_line, length_share, start_tangent, unit_or_x,
+};
 use super::hit::Hit;
 use super::pieces::{Curves, bounds, halves, line_control};
 use super::query::{Candidates, Reach};
-use super::tracks::TrackRef;
 use crate::formation::End;
 use core::ops::ControlFlow;
 use glam::DVec2;
 use nearest::Near;
+use part::{Last, Mark, Part, Run};
 
 /// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
 /// this share of its half width or height.
@@ -23,11 +25,6 @@ const MOST_CHANGE: f64 = 0.14;
 /// times as much.
 const SMALL_PART: f64 = 0.02;
 const MOST_SLACK: f64 = 4.0;
-
-/// Where a scratch sets in, one end of a run is at least this share as wide as the other, as long as that one is wider
-/// than this share of the widest.
-const LEAST_WIDENING: f64 = 0.3;
-const LEAST_WIDTH: f64 = 0.02;
 
 /// A piece is cut into at most 2 to the power of this many runs.
 const MOST_HALVINGS: u32 = 16;
@@ -109,92 +106,6 @@ impl Pattern {
     }
 }
 
-/// A piece, or part of one, in mm.
-#[derive(Clone, Copy)]
-struct Part<'p> {
-    number: usize,
-    scratch: u32,
-    track: TrackRef<'p>,
-    course: Course<'p>,
-    control: [DVec2; 4],
-    /// Whether that is a straight line, run through evenly.
-    is_line: bool,
-    /// Shares of the path's arc length at its ends.
-    at: [f64; 2],
-    /// Unit tangents across which it is parted from its neighbours: its own at a smooth joint, the mean
-    /// of both at a corner.
-    parting: [DVec2; 2],
-    /// Whether the path begins or ends at its ends.
-    is_end: [bool; 2],
-}
-
-/// Neighbouring parts that run nearly straight: one frame, one cross-section.
-struct Run<'a, 'p> {
-    first: &'a Part<'p>,
-    last: Last,
-}
-
-/// What matters of a run's last part.
-struct Last {
-    number: usize,
-    /// Where it ends, and across what it is parted from the next.
-    end: DVec2,
-    parting: DVec2,
-    /// Share of the path's arc length there.
-    at: f64,
-}
-
-impl<'a, 'p> Run<'a, 'p> {
-    fn of(part: &'a Part<'p>) -> Self {
-        Self {
-            first: part,
-            last: Last::of(part),
-        }
-    }
-
-    /// Whether it is one straight line.
-    fn is_straight(&self) -> bool {
-        let [a, b, c, d] = self.first.control;
-        let chord = d - a;
-        let strays = |p: DVec2| (p - a).perp_dot(chord).abs() > 1e-9 * chord.length_squared();
-        self.first.number == self.last.number && (self.first.is_line || !strays(b) && !strays(c))
-    }
-}
-
-impl Last {
-    fn of(part: &Part<'_>) -> Self {
-        Self {
-            number: part.number,
-            end: part.control[3],
-            parting: part.parting[1],
-            at: part.at[1],
-        }
-    }
-}
-
-impl Part<'_> {
-    fn chord(&self) -> DVec2 {
-        self.control[3] - self.control[0]
-    }
-
-    /// How far the cross-section at a share of arc length reaches, mm.
-    fn half_width_mm(&self, at: f64) -> f64 {
-        let [left, right] = self.track.ends(self.course.value(at));
-        f64::from(right.max(-left))
-    }
-
-    /// Whether the scratch becomes much wider from one end to the other, as it does where it sets in.
-    fn sets_in(&self) -> bool {
-        let [a, b] = self.at.map(|at| self.half_width_mm(at));
-        let worth_it = a.max(b) > LEAST_WIDTH * self.track.half_width_mm;
-        worth_it && a.min(b) < LEAST_WIDENING * a.max(b)
-    }
-
-    fn change(&self, from: f64) -> f64 {
-        self.course.change(&self.track, from, self.at[1])
-    }
-}
-
 /// Cuts pieces into runs, and gives each to `visit`.
 struct Walk<'a, 'p, V> {
     pattern: &'p Pattern,
@@ -232,14 +143,14 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         let is_line = line.is_some() || is_even_line(&control);
         let mut parting = match is_line {
             true => [unit_or_x(control[3] - control[0]); 2],
-            false => [tangent(&control, 0.0), tangent(&control, 1.0)],
+            false => end_tangents(&control),
         };
         if follows(number) {
-            let onwards = tangent(&self.control(before), 1.0);
+            let onwards = end_tangent(&self.control(before));
             parting[0] = halving(onwards, parting[0]).unwrap_or(parting[0]);
         }
         if follows(next) {
-            let onwards = tangent(&self.control(next), 0.0);
+            let onwards = start_tangent(&self.control(next));
             parting[1] = halving(parting[1], onwards).unwrap_or(parting[1]);
         }
         Some(Part {
@@ -249,7 +160,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             course,
             control,
             is_line,
-            at: self.curves.at(number),
+            ends: self.curves.at(number).map(|at| Mark::new(&course, at)),
             parting,
             is_end: [number == first, number == last].map(|outermost| outermost && !follows(first)),
         })
@@ -284,16 +195,18 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
 
     /// Whether one cross-section, the mean of all, will do.
     fn changes_little(&self, part: &Part<'p>) -> bool {
-        if part.course.is_even(part.at) {
+        let [from, to] = &part.ends;
+        if part.is_even(from, to) {
             return true;
         }
         let slack = self.slack(part);
-        part.change(part.at[0]) <= MOST_CHANGE * slack && (slack == MOST_SLACK || !part.sets_in())
+        let change = part.change(from, to);
+        change.amount <= MOST_CHANGE * slack && (slack == MOST_SLACK || !change.sets_in)
     }
 
     /// How much more a part may change than one that covers much of the footprint.
     fn slack(&self, part: &Part<'p>) -> f64 {
-        let area = 2.0 * part.track.half_width_mm * part.chord().length();
+        let area = 2.0 * part.track.half_width_mm() * part.chord().length();
         let small = SMALL_PART * self.reach.area_mm2 / area;
         small.sqrt().clamp(1.0, MOST_SLACK)
     }
@@ -312,8 +225,8 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         self.is_one_run(part)
             && self.is_straight(first.chord(), part.chord())
             && self.is_straight(first.parting[0], part.parting[1])
-            && (part.course.is_even([first.at[0], part.at[1]])
-                || part.change(first.at[0]) <= MOST_CHANGE)
+            && (part.is_even(&first.ends[0], &part.ends[1])
+                || part.change(&first.ends[0], &part.ends[1]).amount <= MOST_CHANGE)
     }
 
     /// Halves a part until its parts are runs; those out of reach are left out.
@@ -332,14 +245,15 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             return self.emit(&Run::of(part));
         }
         let [first, second] = halves(part.control);
-        let [from, to] = part.at;
-        let middle = from + (to - from) * length_share(&part.control, 0.5);
-        let parting = tangent(&first, 1.0);
-        let part_of = |control, at, parting| Part {
+        let [from, to] = part.ends;
+        let middle = from.at + (to.at - from.at) * length_share(&part.control, 0.5);
+        let middle = Mark::new(&part.course, middle);
+        let parting = end_tangent(&first);
+        let part_of = |control, ends, parting| Part {
             control,
             // Half a line is one too.
             is_line: part.is_line,
-            at,
+            ends,
             parting,
             ..*part
         };
@@ -388,7 +302,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         let course = &first.course;
         let mut place = course.value(near.at);
         let mut profile = first.track.profile(place);
-        let is_even = course.is_even([first.at[0], last.at]);
+        let is_even = run.is_even();
         if !(is_even && run.is_straight()) {
             (near, profile) = self.look(run, region, near, profile, is_even);
             place = course.value(near.at);

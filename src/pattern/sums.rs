@@ -24,7 +24,7 @@ impl TrackRef<'_> {
     /// The width of each class, added up from the first station to a place: mm times what places are measured in.
     pub(super) fn areas_to(&self, at: f64) -> [f64; MOST_CLASSES] {
         let (last, mix) = self.locate(at);
-        let sums = self.sums.get(last).copied().unwrap_or_default();
+        let sums = self.sums().get(last).copied().unwrap_or_default();
         let mut areas = sums.map(f64::from);
         if mix > 0.0 {
             self.add_areas(last, mix.into(), &mut areas);
@@ -37,7 +37,7 @@ impl TrackRef<'_> {
     fn add_areas(&self, station: usize, mix: f64, areas: &mut [f64; MOST_CLASSES]) {
         let next = station + 1;
         let Some([a, b]) = self
-            .blends
+            .blends()
             .get(station..=next)
             .and_then(|b| b.first_chunk())
         else {

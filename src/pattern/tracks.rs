@@ -78,20 +78,14 @@ pub(crate) struct Extent {
 }
 
 /// One track to read.
+///
+/// It is copied often, so it holds what most are asked for: stations and their vertices.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TrackRef<'p> {
     stations: &'p [Station],
     vertices: &'p [Vec2],
-    pub(super) blends: &'p [Blend],
-    /// Up to each station, what [`Self::areas_to`] says.
-    pub(super) sums: &'p [ClassAreas],
-    /// Number of its first station among all.
-    pub first_station: usize,
-    pub vertex_count: usize,
-    pub layers: &'p [LayerFinish],
-    pub bulk: &'p Finish,
-    /// Of its widest cross-section.
-    pub half_width_mm: f64,
+    all: &'p Tracks,
+    record: &'p Record,
 }
 
 impl Tracks {
@@ -155,19 +149,11 @@ impl Tracks {
         }
         let (first, count) = (record.first_station as usize, record.station_count as usize);
         let (vertex, per_station) = (record.first_vertex as usize, record.vertex_count as usize);
-        let layer = record.first_layer as usize;
         Some(TrackRef {
             stations: self.stations.get(first..first + count)?,
-            blends: self.blends.get(first..first + count).unwrap_or(&[]),
-            sums: self.sums.get(first..first + count).unwrap_or(&[]),
-            first_station: first,
             vertices: self.vertices.get(vertex..vertex + count * per_station)?,
-            vertex_count: per_station,
-            layers: self
-                .layers
-                .get(layer..layer + record.layer_count as usize)?,
-            bulk: &record.bulk,
-            half_width_mm: record.extent.half_width_mm.into(),
+            all: self,
+            record,
         })
     }
 
@@ -260,6 +246,55 @@ impl Extent {
 }
 
 impl<'p> TrackRef<'p> {
+    /// Vertices of each of its cross-sections.
+    #[inline(always)]
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.record.vertex_count as usize
+    }
+
+    /// Layers that it may cut through, from the surface down.
+    #[inline(always)]
+    pub(crate) fn layers(&self) -> &'p [LayerFinish] {
+        let first = self.record.first_layer as usize;
+        let count = self.record.layer_count as usize;
+        // Mostly there are none.
+        match count {
+            0 => &[],
+            _ => self.all.layers.get(first..first + count).unwrap_or(&[]),
+        }
+    }
+
+    /// The finish of what lies below them.
+    pub(crate) fn bulk(&self) -> &'p Finish {
+        &self.record.bulk
+    }
+
+    /// How far its widest cross-section reaches from the centre line, mm.
+    pub(crate) fn half_width_mm(&self) -> f64 {
+        self.record.extent.half_width_mm.into()
+    }
+
+    /// Number of its first station among all.
+    pub(crate) fn first_station(&self) -> usize {
+        self.record.first_station as usize
+    }
+
+    /// How each station is shared between the palette's classes.
+    pub(super) fn blends(&self) -> &'p [Blend] {
+        self.of_stations(&self.all.blends)
+    }
+
+    /// Up to each station, what [`Self::areas_to`] says.
+    pub(super) fn sums(&self) -> &'p [ClassAreas] {
+        self.of_stations(&self.all.sums)
+    }
+
+    fn of_stations<T>(&self, all: &'p [T]) -> &'p [T] {
+        let first = self.first_station();
+        let own = all.get(first..first + self.stations.len());
+        own.unwrap_or(&[])
+    }
+
     pub(crate) fn station_count(&self) -> usize {
         self.stations.len()
     }
@@ -271,8 +306,8 @@ impl<'p> TrackRef<'p> {
 
     /// The finishes of its zones, from the surface down.
     pub(crate) fn finishes(&self) -> impl Iterator<Item = Finish> {
-        let layers = self.layers.iter().map(|layer| layer.finish);
-        layers.chain([*self.bulk])
+        let layers = self.layers().iter().map(|layer| layer.finish);
+        layers.chain([*self.bulk()])
     }
 
     /// Classes that stand for the cross-section at a place, and the share of each.
@@ -282,7 +317,7 @@ impl<'p> TrackRef<'p> {
 
     fn classes_of(&self, (last, mix): (usize, f32)) -> [(usize, f32); 4] {
         let of = |station: usize, share: f32| {
-            let blend = self.blends.get(station).copied().unwrap_or_default();
+            let blend = self.blends().get(station).copied().unwrap_or_default();
             let [a, b] = blend.classes.map(usize::from);
             [(a, share * (1.0 - blend.second)), (b, share * blend.second)]
         };
@@ -326,8 +361,8 @@ impl<'p> TrackRef<'p> {
         let (last, mix) = self.locate(at);
         Profile::between(
             self.shapes_from(last),
-            self.vertex_count,
-            self.vertex_count,
+            self.vertex_count(),
+            self.vertex_count(),
             mix,
         )
     }
@@ -335,7 +370,7 @@ impl<'p> TrackRef<'p> {
     /// Shapes from a station on, one after the other.
     pub(super) fn shapes_from(&self, station: usize) -> &'p [Vec2] {
         self.vertices
-            .get(station * self.vertex_count..)
+            .get(station * self.vertex_count()..)
             .unwrap_or(&[])
     }
 
@@ -387,7 +422,7 @@ impl<'p> TrackRef<'p> {
         let ends = |station: usize| {
             let shape = self.shapes_from(station);
             let x = |vertex: usize| shape.get(vertex).map_or(0.0, |vertex| vertex.x);
-            [x(0), x(self.vertex_count - 1)]
+            [x(0), x(self.vertex_count() - 1)]
         };
         if mix <= 0.0 {
             return ends(last);
@@ -396,9 +431,19 @@ impl<'p> TrackRef<'p> {
         [0, 1].map(|i| a[i] * (1.0 - mix) + b[i] * mix)
     }
 
+    /// How far from the centre line it reaches at a place that was located, mm.
+    pub(crate) fn half_width_of(&self, place: (usize, f32)) -> f64 {
+        let [left, right] = self.ends_of(place);
+        right.max(-left).into()
+    }
+
     /// How much the cross-section has changed from the first station to a place.
     pub(crate) fn change(&self, at: f64) -> f64 {
-        let (last, mix) = self.locate(at);
+        self.change_to(self.locate(at))
+    }
+
+    /// The same, of a place that was located.
+    pub(crate) fn change_to(&self, (last, mix): (usize, f32)) -> f64 {
         let next = (last + 1).min(self.stations.len() - 1);
         let (a, b) = (self.stations[last].change, self.stations[next].change);
         f64::from(a) + f64::from(b - a) * f64::from(mix)

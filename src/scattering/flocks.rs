@@ -129,11 +129,6 @@ impl Flocks {
         }
     }
 
-    /// The share of the pixel that the viewer sees all of them in.
-    pub(crate) fn seen(&self) -> f32 {
-        self.iter().map(|flock| flock.shown).sum()
-    }
-
     /// Sets in what share of the pixel the viewer sees all of them.
     pub(crate) fn set_seen(&mut self, seen: f32) {
         let shares: f32 = self.share[..self.count as usize].iter().sum();

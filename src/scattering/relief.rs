@@ -142,7 +142,7 @@ impl Zones {
         let (xs, zs) = (&mut self.x[own.clone()], &mut self.z[own.clone()]);
         hit.profile.sample(xs, zs);
         // Mostly that is all.
-        if hit.track.layers.is_empty() && !Layered::has_doubles(xs, zs) {
+        if hit.track.layers().is_empty() && !Layered::has_doubles(xs, zs) {
             self.finish[own].fill(numbers[0]);
             return vertices;
         }
@@ -156,7 +156,7 @@ impl Zones {
             z: &mut self.z[free.clone()],
             layer: &mut self.finish[free.clone()],
         };
-        let layers = hit.track.layers.iter();
+        let layers = hit.track.layers().iter();
         let count = slots.cut(whole_x, whole_z, layers.map(|layer| layer.bottom_mm));
         for finish in &mut self.finish[free][..count] {
             *finish = numbers[*finish as usize];

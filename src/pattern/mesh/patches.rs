@@ -90,8 +90,8 @@ impl Patches {
         };
         Skins {
             scratch,
-            layers: track.layers.iter().map(layer).collect(),
-            bulk: self.number(track.bulk),
+            layers: track.layers().iter().map(layer).collect(),
+            bulk: self.number(track.bulk()),
         }
     }
 

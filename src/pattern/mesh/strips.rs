@@ -4,7 +4,9 @@ use super::patches::{Patches, Skins, Strip};
 use crate::error::Result;
 use crate::formation::End;
 use crate::pattern::Pattern;
-use crate::pattern::closest::{LengthShares, bezier, speed, tangent};
+use crate::pattern::closest::{
+    LengthShares, bezier, end_tangent, end_tangents, speed, start_tangent, tangent,
+};
 use crate::pattern::course::Course;
 use crate::pattern::pieces::{bounds, sagitta};
 use crate::pattern::runs::halving;
@@ -78,16 +80,16 @@ impl Pattern {
         let control_of = |number: usize| curves.control(number).map(|uv| uv * scale);
         let is_joined = |number: usize| curves.pieces.get(number).is_some_and(|p| p.is_joined());
         let control = control_of(number);
-        let own = [tangent(&control, 0.0), tangent(&control, 1.0)];
+        let own = end_tangents(&control);
         let before = if number == first { last } else { number - 1 };
         let next = if number == last { first } else { number + 1 };
         let mut parting = own;
         if is_joined(number) {
-            let arriving = tangent(&control_of(before), 1.0);
+            let arriving = end_tangent(&control_of(before));
             parting[0] = halving(arriving, own[0]).unwrap_or(own[0]);
         }
         if is_joined(next) {
-            let leaving = tangent(&control_of(next), 0.0);
+            let leaving = start_tangent(&control_of(next));
             parting[1] = halving(own[1], leaving).unwrap_or(own[1]);
         }
         Some(Piece {
@@ -102,7 +104,7 @@ impl Pattern {
 
     /// Whether neither the piece nor a cap at its end reaches the window.
     fn is_far(&self, piece: &Piece<'_>, patches: &Patches) -> bool {
-        let own = [0.0, 1.0].map(|t| tangent(&piece.control, t));
+        let own = end_tangents(&piece.control);
         let mitre = [0, 1].map(|i| 1.0 / own[i].dot(piece.parting[i]).max(0.01));
         let reach = f64::from(self.extent.half_width_mm) * mitre[0].max(mitre[1]);
         let [low, high] = bounds(&piece.control);
@@ -218,13 +220,13 @@ impl Piece<'_> {
     /// Where rails end, per mm to the right of an end of the path.
     fn across(&self, end: usize) -> DVec2 {
         let parting = self.parting[end];
-        let own = tangent(&self.control, [0.0, 1.0][end]);
+        let own = end_tangents(&self.control)[end];
         DVec2::new(parting.y, -parting.x) / own.dot(parting)
     }
 
     /// How much farther along a rail ends per mm to the right.
     fn skew(&self, end: usize) -> f64 {
-        tangent(&self.control, [0.0, 1.0][end]).dot(self.across(end))
+        end_tangents(&self.control)[end].dot(self.across(end))
     }
 
     /// The cross-section's vertices.

@@ -36,8 +36,8 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         let mut half_width_mm = match is_even {
             true => profile.half_width_mm(),
             false => first
-                .half_width_mm(first.at[0])
-                .max(first.half_width_mm(last.at)),
+                .half_width_mm(&first.ends[0])
+                .max(first.half_width_mm(&last.mark)),
         };
         for _ in 0..MOST_LOOKS {
             let stretch;
@@ -75,11 +75,12 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         let Near {
             at, origin, travel, ..
         } = near;
-        let per_mm = (last.at - first.at[0]) / (last.end - first.control[0]).length();
+        let [from, to] = run.at();
+        let per_mm = (to - from) / (last.end - first.control[0]).length();
         let corners = covered.corners().iter();
         let reaches = corners.map(|corner| at + (*corner - origin).dot(travel) * per_mm);
-        let stretch = reaches.fold([at; 2], |[from, to], reach| {
-            [from.min(reach.max(first.at[0])), to.max(reach.min(last.at))]
+        let stretch = reaches.fold([at; 2], |[first, last], reach| {
+            [first.min(reach.max(from)), last.max(reach.min(to))]
         });
         (near, stretch)
     }
@@ -89,7 +90,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         if first.is_line && first.number == run.last.number {
             let [a, _, _, d] = first.control;
             let (t, origin, travel) = nearest_on_line(a, d, target);
-            let [from, to] = first.at;
+            let [from, to] = run.at();
             return Near {
                 distance: origin.distance_squared(target),
                 at: from + (to - from) * t,
@@ -106,7 +107,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
                 travel,
             }
         };
-        let mut best = on(&run.first.control, run.first.at);
+        let mut best = on(&first.control, first.ends.map(|end| end.at));
         for number in run.first.number + 1..=run.last.number {
             let other = on(&self.control(number), self.curves.at(number));
             if other.distance < best.distance {

@@ -281,7 +281,6 @@ impl Shading {
         self.flocks.set_seen(crowd / self.crowding);
         // An empty sum is -0.
         self.coverage = (0.0 + all).clamp(0.0, 1.0);
-        let alone: f32 = reliefs.iter().map(Relief::coverage).sum();
-        self.seen = alone + self.flocks.seen() + rest(self.coverage);
+        self.seen = all / self.crowding + rest(self.coverage);
     }
 }
