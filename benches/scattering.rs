@@ -22,9 +22,10 @@ const SIDE_MM: f64 = 100.0;
 const MANY: u32 = 64;
 
 /// A call of each kind, and of how many things it disposes.
-const JOBS: [(&str, u32); 12] = [
+const JOBS: [(&str, u32); 13] = [
     ("ggx", 1),
     ("shade_empty", 1),
+    ("shade_beside", 1),
     ("shade_one", 1),
     ("shade_four", 1),
     ("shade_curved", 1),
@@ -190,6 +191,8 @@ impl Scene {
                 black_box(ggx_conductor(view, normalized(direction(i))));
             }
             "shade_empty" => shade(shading, &self.one, &point(0.25, 0.05), i),
+            // Within the grid, and nothing there.
+            "shade_beside" => shade(shading, &self.one, &point(0.7, 0.05), i),
             "shade_one" => shade(shading, &self.one, &point(0.5, 0.05), i),
             "shade_four" => shade(shading, &self.four, &point(0.5, 0.05), i),
             "shade_curved" => shade(shading, &self.curved, &on_curve(0.4), i),

@@ -58,11 +58,13 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// The number, along one axis, of its part that is nearest to a place so many cells from its corner.
+    /// Column and row of its part that is nearest to a place so many cells from its corner.
     #[inline(always)]
-    fn part_at(&self, place: f64) -> u32 {
-        let last = self.side.saturating_sub(1);
-        cell_number(place * f64::from(self.side)).min(last)
+    fn part_at(&self, place: DVec2) -> [u32; 2] {
+        let side = f64::from(self.side);
+        let (place, last) = (place * side, side - 1.0);
+        let part = |place: f64| cell_number(if place < last { place } else { last });
+        [part(place.x), part(place.y)]
     }
 }
 
@@ -142,27 +144,25 @@ impl Grid {
         low.cmple(self.hull[1]).all() && high.cmpge(self.hull[0]).all()
     }
 
-    /// Calls `visit` with lists of all pieces that may touch the box from `low` to `high`, each once or more, until it
-    /// breaks. These cells are those that the box touches.
+    /// Calls `visit` with lists of all pieces that may touch a box, each once or more, until it breaks. These cells are
+    /// those that the box touches.
     #[inline(always)]
     pub(crate) fn query(
         &self,
-        (columns, rows): Touched,
-        within: [DVec2; 2],
+        cells: &Touched,
         mut visit: impl FnMut(&[u32]) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let (starts, entries) = (&*self.starts, &*self.entries);
-        let [low, high] = within;
-        let (low, high) = (self.raster.in_cells(low), self.raster.in_cells(high));
-        for row in rows {
-            for column in columns.clone() {
+        let [low, high] = cells.within;
+        for row in cells.rows.clone() {
+            for column in cells.columns.clone() {
                 let number = row * self.raster.columns + column;
                 let Some(cell) = self.cell(number as usize) else {
                     continue;
                 };
-                let (x, y) = (f64::from(column), f64::from(row));
-                let (left, right) = (cell.part_at(low.x - x), cell.part_at(high.x - x));
-                let (bottom, top) = (cell.part_at(low.y - y), cell.part_at(high.y - y));
+                let corner = DVec2::new(column.into(), row.into());
+                let [left, bottom] = cell.part_at(low - corner);
+                let [right, top] = cell.part_at(high - corner);
                 for row in bottom..top + 1 {
                     let first = cell.first + row * cell.side;
                     visit(lists(starts, entries, [first + left, first + right]))?;
@@ -255,7 +255,7 @@ mod tests {
                 let Some(cells) = grid.raster.touched(low, high) else {
                     continue;
                 };
-                let _ = grid.query(cells, [low, high], |pieces| {
+                let _ = grid.query(&cells, |pieces| {
                     pieces
                         .iter()
                         .for_each(|&piece| found[piece as usize] = true);

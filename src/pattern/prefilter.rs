@@ -9,7 +9,7 @@ use super::laid::Laid;
 use super::lists::{Lists, Sink};
 use super::palette::MOST_CLASSES;
 use super::query::{Candidates, Reach};
-use super::raster::Raster;
+use super::raster::{Raster, Touched};
 use super::reader::Reader;
 use super::seen::{Inserted, Seen};
 use super::store::Store;
@@ -293,7 +293,7 @@ impl Pyramid {
         let Some(level) = self.levels.iter().find(fits).or(self.levels.last()) else {
             return;
         };
-        let Some((columns, rows)) = level.raster.touched(low, high) else {
+        let Some(Touched { columns, rows, .. }) = level.raster.touched(low, high) else {
             return;
         };
         for row in rows {

@@ -1,9 +1,9 @@
 //! Which pieces of scratches come near a pixel's footprint.
 
 use super::Pattern;
-use super::pieces::bounds;
+use super::pieces::Curves;
 use super::point::Metric;
-use super::raster::{Touched, count};
+use super::raster::Touched;
 use super::region::Region;
 use super::seen::{Inserted, Seen};
 use arrayvec::ArrayVec;
@@ -64,24 +64,39 @@ impl<'a> Reach<'a> {
     }
 }
 
-/// Whether a curve lies beside a box: for long oblique pieces their own box says little.
-fn misses(control: &[DVec2; 4], low: DVec2, high: DVec2) -> bool {
-    let [from, to] = bounds(control);
+/// Whether a curve with these control points lies beside a box: for long oblique ones their own box says little.
+#[inline(always)]
+fn misses<const N: usize>(control: &[DVec2; N], low: DVec2, high: DVec2) -> bool {
+    let (start, end) = (control[0], control[N - 1]);
+    let [from, to] = hull(control.iter().copied());
     if !(from.cmple(high).all() && to.cmpge(low).all()) {
         return true;
     }
-    let chord = control[3] - control[0];
-    let beside = |p: DVec2| chord.perp_dot(p - control[0]);
+    let chord = end - start;
+    let beside = |p: DVec2| chord.perp_dot(p - start);
     let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
     let reach = chord.perp().abs().dot(half);
-    let (bend_a, bend_b) = (beside(control[1]), beside(control[2]));
+    let bends = control[1..N - 1].iter().map(|p| beside(*p));
+    let [left, right] = bends.fold([0.0_f64; 2], |[a, b], bend| [a.min(bend), b.max(bend)]);
     let at = beside(middle);
-    at < bend_a.min(bend_b).min(0.0) - reach || at > bend_a.max(bend_b).max(0.0) + reach
+    at < left - reach || at > right + reach
 }
 
 pub(super) fn hull(points: impl Iterator<Item = DVec2>) -> [DVec2; 2] {
     let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
     points.fold(empty, |[low, high], p| [low.min(p), high.max(p)])
+}
+
+impl Curves<'_> {
+    /// Whether a piece lies beside a box.
+    #[inline(always)]
+    fn misses(&self, number: u32, low: DVec2, high: DVec2) -> bool {
+        let number = number as usize;
+        match self.line(number) {
+            Some(line) => misses(&line, low, high),
+            None => misses(&self.control(number), low, high),
+        }
+    }
 }
 
 impl Pattern {
@@ -102,14 +117,14 @@ impl Pattern {
     fn pieces_listed(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
         let cells = match self.grid.raster.touched(low, high) {
             None => return true,
-            Some(cells) if count(&cells) > MOST_CELLS => return false,
+            Some(cells) if cells.count() > MOST_CELLS => return false,
             Some(cells) => cells,
         };
         let curves = self.curves();
-        let flow = self.grid.query(cells.clone(), [low, high], |listed| {
+        let flow = self.grid.query(&cells, |listed| {
             for &number in listed {
                 let is_known = found.last() == Some(&number);
-                if is_known || misses(&curves.control(number as usize), low, high) {
+                if is_known || curves.misses(number, low, high) {
                     continue;
                 }
                 if found.len() == FEW {
@@ -121,7 +136,7 @@ impl Pattern {
         });
         if flow.is_break() {
             found.clear();
-            return self.many_near(cells, [low, high], found);
+            return self.many_near(&cells, [low, high], found);
         }
         if found.len() > 1 {
             found.sort_unstable();
@@ -133,10 +148,10 @@ impl Pattern {
 
     /// The same where pieces are listed again and again, as they are where many are near: known ones are known at once.
     #[inline(never)]
-    fn many_near(&self, cells: Touched, [low, high]: [DVec2; 2], found: &mut Candidates) -> bool {
+    fn many_near(&self, cells: &Touched, [low, high]: [DVec2; 2], found: &mut Candidates) -> bool {
         let curves = self.curves();
         let mut seen = Seen::<MOST_LISTED>::new();
-        let flow = self.grid.query(cells, [low, high], |listed| {
+        let flow = self.grid.query(cells, |listed| {
             curves.touch(listed);
             for &number in listed {
                 match seen.insert(number) {
@@ -144,7 +159,7 @@ impl Pattern {
                     Inserted::Now => {}
                     Inserted::NoRoom => return ControlFlow::Break(()),
                 }
-                if misses(&curves.control(number as usize), low, high) {
+                if curves.misses(number, low, high) {
                     continue;
                 }
                 if found.try_push(number).is_err() {

@@ -18,8 +18,22 @@ pub(crate) struct Raster {
     pub rows: u32,
 }
 
-/// Columns and rows of cells.
-pub(super) type Touched = (Range<u32>, Range<u32>);
+/// Cells that a box touches.
+#[derive(Clone, Debug)]
+pub(crate) struct Touched {
+    pub columns: Range<u32>,
+    pub rows: Range<u32>,
+    /// Where the box begins and ends, in cells from the origin.
+    pub within: [DVec2; 2],
+}
+
+impl Touched {
+    /// How many cells these are.
+    pub(super) fn count(&self) -> u32 {
+        let length = |range: &Range<u32>| range.end - range.start;
+        length(&self.columns).saturating_mul(length(&self.rows))
+    }
+}
 
 /// A curve, and what rasters ask it for.
 pub(super) struct Outline<'c> {
@@ -159,7 +173,7 @@ impl Raster {
 
     /// How many cells a box touches.
     pub(crate) fn count_touched(&self, low: DVec2, high: DVec2) -> u32 {
-        self.touched(low, high).map_or(0, |touched| count(&touched))
+        self.touched(low, high).map_or(0, |touched| touched.count())
     }
 
     /// Where a cell is lowest and highest: where it ends, to the bit, its neighbours begin.
@@ -234,7 +248,7 @@ impl Raster {
         reach: impl FnOnce() -> f64,
         mut visit: impl FnMut(u32),
     ) {
-        let Some((columns, rows)) = self.touched(low, high) else {
+        let Some(Touched { columns, rows, .. }) = self.touched(low, high) else {
             return;
         };
         if rows.len() == 1 || columns.len() == 1 {
@@ -329,34 +343,24 @@ impl Raster {
         [low - slack, high + slack]
     }
 
-    /// Whether a box touches any cell.
-    #[inline(always)]
-    fn touches(&self, low: DVec2, high: DVec2) -> bool {
-        let [from, to] = [low, high].map(|place| self.in_cells(place));
-        let count = DVec2::new(self.columns.into(), self.rows.into());
-        // A hair of slack again; false for NaN and for a grid of nothing.
-        let slack = DVec2::splat(1e-9);
-        from.cmple(count + slack).all() && to.cmpge(-slack).all() && self.columns > 0
-    }
-
-    /// Columns and rows that a box touches, if any.
+    /// The cells that a box touches, if any.
     #[inline(always)]
     pub(crate) fn touched(&self, low: DVec2, high: DVec2) -> Option<Touched> {
-        if !self.touches(low, high) {
+        let (from, to) = (self.in_cells(low), self.in_cells(high));
+        let end = DVec2::new(self.columns.into(), self.rows.into());
+        // A hair of slack again; false for NaN and for a grid of nothing.
+        let slack = DVec2::splat(1e-9);
+        if !(from.cmple(end + slack).all() && to.cmpge(-slack).all() && self.columns > 0) {
             return None;
         }
-        let (from, to) = (self.in_cells(low), self.in_cells(high));
-        let cell = |place: f64, count: u32| cell_number(place).min(count - 1);
-        let columns = cell(from.x, self.columns)..cell(to.x, self.columns) + 1;
-        let rows = cell(from.y, self.rows)..cell(to.y, self.rows) + 1;
-        Some((columns, rows))
+        let last = end - 1.0;
+        let cell = |place: f64, last: f64| cell_number(if place < last { place } else { last });
+        Some(Touched {
+            columns: cell(from.x, last.x)..cell(to.x, last.x) + 1,
+            rows: cell(from.y, last.y)..cell(to.y, last.y) + 1,
+            within: [from, to],
+        })
     }
-}
-
-/// How many cells these are.
-pub(super) fn count((columns, rows): &Touched) -> u32 {
-    let length = |range: &Range<u32>| range.end - range.start;
-    length(columns).saturating_mul(length(rows))
 }
 
 /// A straight band in cells.
