@@ -3,7 +3,7 @@
 //! Each cell is divided again, as finely as its own pieces ask for, so that a crowded corner costs no more
 //! than an empty plain (as the two-level grids of Kalojanov et al. 2011 for ray tracing).
 
-use super::lists::Lists;
+use super::lists::of_sources;
 use super::pieces::Curves;
 use super::raster::{Extents, Outline, Raster, Touched, cell_number};
 use super::store::Store;
@@ -105,7 +105,7 @@ impl Grid {
             cell
         };
         let cells: Vec<Cell> = counts.iter().map(cell).collect();
-        let parts = Lists::of_sources(first as usize, curves.pieces.len(), |piece, source| {
+        let parts = of_sources(first as usize, curves.pieces.len(), |piece, source| {
             let control = curves.control(piece);
             let curve = Outline::of(&control);
             raster.for_each_cell(&curve, |number| {
@@ -113,7 +113,8 @@ impl Grid {
                 let parts = raster.cell(number as usize).parted(side);
                 parts.for_each_cell(&curve, |part| source.lies_in(first + part));
             });
-        });
+        })
+        .lists();
         Self::of_lists(
             raster,
             cells.into(),

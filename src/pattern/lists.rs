@@ -13,7 +13,7 @@ const GROUPS: usize = 256;
 const PORTION: usize = 1 << 14;
 
 /// Items of each cell, in the order of their sources.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Lists<T> {
     /// Where each cell's items start; one more than there are cells.
     pub starts: Vec<u32>,
@@ -80,41 +80,53 @@ impl Source<'_> {
     }
 }
 
-impl Lists<u32> {
-    /// For each of so many cells the numbers of the sources, from 0 to `sources`, that `sort_in` says lie in it.
-    pub(crate) fn of_sources(
-        cells: usize,
-        sources: usize,
-        sort_in: impl Fn(usize, &mut Source<'_>) + Sync,
-    ) -> Self {
-        let put = |(): &mut (), source: usize, sink: &mut Sink<u16>| {
-            let own = low_bits(source % PORTION);
-            sort_in(source, &mut Source { sink, own });
-        };
-        let item = |portion, own| number(portion * PORTION) + u32::from(own);
-        Self::sorted(cells, sources, || (), put, item)
-    }
+/// What some sources put into cells, by groups of neighbouring cells; `item` makes the item of what was put and of the
+/// number of the portion that the source lies in.
+pub(crate) struct Groups<I, F> {
+    portions: Vec<Grouped<I>>,
+    cells: usize,
+    /// A group has 2 to the power of this cells.
+    shift: u32,
+    item: F,
 }
 
-impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
-    /// What `sort_in` puts into so many cells for each source from 0 to `sources`. It is told what `begin` made for this
-    /// and some other sources.
-    pub(crate) fn new<R>(
-        cells: usize,
-        sources: usize,
-        begin: impl Fn() -> R + Sync,
-        sort_in: impl Fn(&mut R, usize, &mut Sink<T>) + Sync,
-    ) -> Self {
-        Self::sorted(cells, sources, begin, sort_in, |_, item| item)
-    }
+/// For each of so many cells the numbers of the sources, from 0 to `sources`, that `sort_in` says lie in it.
+pub(crate) fn of_sources(
+    cells: usize,
+    sources: usize,
+    sort_in: impl Fn(usize, &mut Source<'_>) + Sync,
+) -> Groups<u16, impl Fn(usize, u16) -> u32 + Sync> {
+    let put = |(): &mut (), source: usize, sink: &mut Sink<u16>| {
+        let own = low_bits(source % PORTION);
+        sort_in(source, &mut Source { sink, own });
+    };
+    let item = |portion, own| number(portion * PORTION) + u32::from(own);
+    Groups::of(cells, sources, || (), put, item)
+}
 
-    /// The same of what `item` makes of that, and of the number of the portion that the source lies in.
-    fn sorted<R, I: Copy + Zeroable + Send + Sync>(
+/// What `sort_in` puts into so many cells for each source from 0 to `sources`. It is told what `begin` made for this
+/// and some other sources.
+pub(crate) fn of_items<T: Copy + Zeroable + Send + Sync, R>(
+    cells: usize,
+    sources: usize,
+    begin: impl Fn() -> R + Sync,
+    sort_in: impl Fn(&mut R, usize, &mut Sink<T>) + Sync,
+) -> Groups<T, impl Fn(usize, T) -> T + Sync> {
+    Groups::of(cells, sources, begin, sort_in, |_, item| item)
+}
+
+impl<I, T, F> Groups<I, F>
+where
+    I: Copy + Zeroable + Send + Sync,
+    T: Copy + Zeroable + Send + Sync,
+    F: Fn(usize, I) -> T + Sync,
+{
+    fn of<R>(
         cells: usize,
         sources: usize,
         begin: impl Fn() -> R + Sync,
         sort_in: impl Fn(&mut R, usize, &mut Sink<I>) + Sync,
-        item: impl Fn(usize, I) -> T + Sync,
+        item: F,
     ) -> Self {
         let per_group = cells.div_ceil(GROUPS).max(1).next_power_of_two();
         let shift = per_group.ilog2().min(u16::BITS);
@@ -128,18 +140,26 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
             }
             Grouped::of(&sink.0, count, shift)
         };
-        let portions: Vec<Grouped<I>> = (0..sources.div_ceil(PORTION))
+        let portions = (0..sources.div_ceil(PORTION))
             .into_par_iter()
             .map_init(|| Sink(Vec::new()), group_portion)
             .collect();
-        let of_group = |group: usize| portions.iter().map(move |own| own.of_group(group).len());
-        let lengths = (0..count).map(|group| of_group(group).sum());
-        let lengths: Vec<usize> = lengths.collect();
-        let mut lists = Self {
-            starts: vec![0; cells + 1],
+        Self {
+            portions,
+            cells,
+            shift,
+            item,
+        }
+    }
+
+    /// The lists of all cells.
+    pub(crate) fn lists(&self) -> Lists<T> {
+        let lengths: Vec<usize> = (0..self.count()).map(|group| self.length(group)).collect();
+        let mut lists = Lists {
+            starts: vec![0; self.cells + 1],
             items: zeroed_vec(lengths.iter().sum()),
         };
-        let starts = lists.starts[..cells].chunks_mut(1 << shift);
+        let starts = lists.starts[..self.cells].chunks_mut(1 << self.shift);
         let (mut rest, mut before) = (&mut lists.items[..], 0);
         let mut groups = Vec::new();
         for (length, starts) in lengths.into_iter().zip(starts) {
@@ -149,21 +169,64 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
             before += number(length);
         }
         let groups = groups.into_par_iter().enumerate();
-        let item = &item;
         groups.for_each(|(group, (before, starts, items))| {
-            let of_portion = |portion: usize| {
-                let own = &portions[portion];
-                let held = own.of_group(group);
-                let cells = own.cells[held.clone()].iter();
-                cells
-                    .zip(&own.items[held])
-                    .map(move |(&cell, &held)| (usize::from(cell), item(portion, held)))
-            };
-            let all = || (0..portions.len()).flat_map(of_portion);
-            sort(before, starts, items, all);
+            sort(before, starts, items, || self.items(group));
         });
-        lists.starts[cells] = before;
+        lists.starts[self.cells] = before;
         lists
+    }
+
+    /// What `look` makes of the lists of each group, one after the other in the same memory. It is told what `begin` made
+    /// for this and some other groups, and the number of the group's first cell.
+    pub(crate) fn map<S, R: Send>(
+        &self,
+        begin: impl Fn() -> S + Sync,
+        look: impl Fn(&mut S, usize, &Lists<T>) -> R + Sync,
+    ) -> Vec<R> {
+        let begin = || (begin(), Lists::empty());
+        let of_group = |(state, lists): &mut (S, Lists<T>), group: usize| {
+            let first = group << self.shift;
+            let cells = (self.cells - first).min(1 << self.shift);
+            lists.starts.clear();
+            lists.starts.resize(cells + 1, 0);
+            lists.items.resize(self.length(group), T::zeroed());
+            let starts = &mut lists.starts[..cells];
+            sort(0, starts, &mut lists.items, || self.items(group));
+            lists.starts[cells] = number(lists.items.len());
+            look(state, first, lists)
+        };
+        let groups = (0..self.count()).into_par_iter();
+        groups.map_init(begin, of_group).collect()
+    }
+
+    fn count(&self) -> usize {
+        self.cells.div_ceil(1 << self.shift)
+    }
+
+    fn length(&self, group: usize) -> usize {
+        let portions = self.portions.iter();
+        portions.map(|portion| portion.of_group(group).len()).sum()
+    }
+
+    /// A group's items in the order of their sources, each behind its cell's number in the group.
+    fn items(&self, group: usize) -> impl Iterator<Item = (usize, T)> {
+        let portions = self.portions.iter().enumerate();
+        portions.flat_map(move |(number, portion)| {
+            let held = portion.of_group(group);
+            let cells = portion.cells[held.clone()].iter();
+            cells
+                .zip(&portion.items[held])
+                .map(move |(&cell, &held)| (usize::from(cell), (self.item)(number, held)))
+        })
+    }
+}
+
+impl<T: Copy + Zeroable> Lists<T> {
+    fn empty() -> Self {
+        Self {
+            starts: Vec::new(),
+            items: Vec::new(),
+        }
     }
 
     /// Of these items, each behind its cell's number.
@@ -176,6 +239,11 @@ impl<T: Copy + Zeroable + Send + Sync> Lists<T> {
         sort(0, &mut lists.starts, &mut lists.items, all);
         lists.starts[cells] = number(items.len());
         lists
+    }
+
+    /// How many cells there are.
+    pub(crate) fn count(&self) -> usize {
+        self.starts.len() - 1
     }
 
     /// A cell's items.
@@ -223,7 +291,7 @@ mod tests {
     fn items_come_back() {
         for cells in [1, 5, 1000, 5000] {
             let place = |source: usize| (source * 7919 + 13) % cells;
-            let lists = Lists::new(
+            let groups = of_items(
                 cells,
                 200_000,
                 || (),
@@ -234,7 +302,17 @@ mod tests {
                     }
                 },
             );
+            let lists = groups.lists();
             assert_eq!(lists.items.len(), 200_000 + 66_667);
+            let by_group = groups.map(
+                || (),
+                |(), first, own| {
+                    let all = (0..own.count()).map(|cell| (first + cell, own.of(cell)));
+                    all.for_each(|(cell, items)| assert_eq!(items, lists.of(cell), "cell {cell}"));
+                    own.count()
+                },
+            );
+            assert_eq!(by_group.iter().sum::<usize>(), cells, "some were left out");
             for cell in 0..cells {
                 let truth = (0..200_000).flat_map(|source| {
                     let here = usize::from(place(source) == cell);

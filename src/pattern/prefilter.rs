@@ -4,9 +4,10 @@
 use super::Pattern;
 use super::chords::{ClassAreas, add_shares};
 use super::crowd::{Crowd, Heading, MOST_ENTRIES, Packed, keys};
+use super::grid::number;
 use super::hit::Hit;
 use super::laid::Laid;
-use super::lists::{Lists, Sink};
+use super::lists::{Lists, Sink, of_items};
 use super::palette::MOST_CLASSES;
 use super::query::{Candidates, Reach};
 use super::raster::{Raster, Touched};
@@ -16,6 +17,7 @@ use super::store::Store;
 use arrayvec::ArrayVec;
 use bytemuck::{Pod, Zeroable};
 use core::array::from_fn;
+use core::ops::Range;
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -27,6 +29,9 @@ const TOUCHED: usize = 16;
 
 /// Areas of one piece that are gathered before they are sorted by cell.
 const MOST_GATHERED: usize = 32;
+
+/// Cells of a coarser level that are filled in one go.
+const PORTION: usize = 256;
 
 /// Places for scratches of a footprint whose pieces are looked at one by one, to count each once.
 const MOST_SCRATCHES: usize = 1024;
@@ -196,6 +201,27 @@ impl OfPiece {
     }
 }
 
+/// Entries of neighbouring cells.
+struct Entries {
+    /// Where each cell's end.
+    ends: Vec<u32>,
+    all: Vec<Packed>,
+}
+
+impl Entries {
+    /// Of these cells, each of which is filled.
+    fn of(cells: Range<usize>, fill: impl Fn(usize, &mut Crowd)) -> Self {
+        let (mut ends, mut all) = (Vec::with_capacity(cells.len()), Vec::new());
+        for cell in cells {
+            let mut crowd = Crowd::new();
+            fill(cell, &mut crowd);
+            all.extend(crowd.packed());
+            ends.push(number(all.len()));
+        }
+        Self { ends, all }
+    }
+}
+
 impl Pyramid {
     /// Of a pattern that has all but this.
     pub(crate) fn new(pattern: &Pattern) -> Self {
@@ -208,7 +234,7 @@ impl Pyramid {
         let pieces = pattern.curves().pieces.len();
         let symmetric: [bool; MOST_CLASSES] = from_fn(|class| pattern.palette.is_symmetric(class));
         let begin = || Reader::new(pattern);
-        let held = Lists::new(raster.count(), pieces, begin, |reader, number, sink| {
+        let held = of_items(raster.count(), pieces, begin, |reader, number, sink| {
             let mut piece = OfPiece::default();
             reader.for_each_chord(number, None, |chord| {
                 raster.for_each_part(chord.ends, |cell, part| {
@@ -220,33 +246,35 @@ impl Pyramid {
             });
             piece.put(sink);
         });
-        let first: Vec<Vec<Packed>> = (0..raster.count())
-            .into_par_iter()
-            .map(|cell| {
-                let mut crowd = Crowd::new();
-                for held in held.of(cell) {
-                    held.add_to(&mut crowd);
-                }
-                crowd.packed().collect()
+        let of_group = |(): &mut (), _, held: &Lists<Held>| {
+            Entries::of(0..held.count(), |cell, crowd| {
+                held.of(cell).iter().for_each(|held| held.add_to(crowd));
             })
-            .collect();
+        };
+        pyramid.push(raster, &held.map(|| (), of_group));
         drop(held);
-        pyramid.push(raster, &first);
-        let (mut raster, mut cells) = (raster, first);
+        pyramid.push_coarser(raster);
+        pyramid
+    }
+
+    /// Appends all levels above this one.
+    fn push_coarser(&mut self, mut raster: Raster) {
         while raster.count() > 1 {
             let coarser = raster.coarser();
-            let merged = |cell: usize| {
-                let mut crowd = Crowd::new();
-                for child in raster.children(coarser, cell) {
-                    crowd.add_packed(&cells[child], 1.0);
-                }
-                crowd.packed().collect()
+            let first = self.levels.last().map_or(0, |level| level.first_cell);
+            let of_portion = |portion: usize| {
+                let cells = portion * PORTION..coarser.count().min((portion + 1) * PORTION);
+                Entries::of(cells, |cell, crowd| {
+                    for child in raster.children(coarser, cell) {
+                        crowd.add_packed(self.entries_of(first + number(child)), 1.0);
+                    }
+                })
             };
-            cells = (0..coarser.count()).into_par_iter().map(merged).collect();
-            pyramid.push(coarser, &cells);
+            let portions = (0..coarser.count().div_ceil(PORTION)).into_par_iter();
+            let portions: Vec<Entries> = portions.map(of_portion).collect();
+            self.push(coarser, &portions);
             raster = coarser;
         }
-        pyramid
     }
 
     /// Whether all cells of all levels have entries.
@@ -270,8 +298,8 @@ impl Pyramid {
             + size_of_val(&self.entries[..])
     }
 
-    fn push(&mut self, raster: Raster, cells: &[Vec<Packed>]) {
-        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+    /// Appends a level.
+    fn push(&mut self, raster: Raster, portions: &[Entries]) {
         if self.starts.is_empty() {
             self.starts.push(0);
         }
@@ -280,9 +308,11 @@ impl Pyramid {
             first_cell: number(self.starts.len() - 1),
             padding: 0,
         });
-        for cell in cells {
-            self.entries.extend(cell);
-            self.starts.push(number(self.entries.len()));
+        for portion in portions {
+            let before = number(self.entries.len());
+            self.entries.extend(&portion.all);
+            self.starts
+                .extend(portion.ends.iter().map(|end| before + end));
         }
     }
 

@@ -10,7 +10,7 @@ mod meet;
 mod part;
 
 use super::Pattern;
-use super::lists::Lists;
+use super::lists::{Lists, of_sources};
 use super::raster::Extents;
 use super::reader::Reader;
 use super::strip::Strip;
@@ -44,18 +44,19 @@ fn shares_left<R>(
         return Vec::new();
     };
     let raster = extents.raster(PER_CELL, MOST_CELLS_PER_STRIP);
-    let cells = Lists::of_sources(raster.count(), count, |i, source| {
+    let cells = of_sources(raster.count(), count, |i, source| {
         let strip = strips[i].strip();
         if strip.half_width > 0.0 {
             let line = [strip.start, strip.end];
             raster.for_each_cell_within(strip.half_width, line, |cell| source.lies_in(cell));
         }
     });
-    let look = |part: &mut Part, i: usize| {
-        cell::look(part, cells.of(i), &strips, raster.corners(i));
-    };
-    let all = (0..raster.count()).into_par_iter();
-    all.for_each_init(Part::default, look);
+    cells.map(Part::default, |part, first, lists: &Lists<u32>| {
+        for own in 0..lists.count() {
+            let within = raster.corners(first + own);
+            cell::look(part, lists.of(own), &strips, within);
+        }
+    });
     strips.par_iter().map(Covered::left).collect()
 }
 

@@ -12,6 +12,11 @@ use glam::DVec2;
 /// heaps take no longer than they must.
 const MOST: usize = 128;
 
+/// From so many places before the middle on: as many that count, and others that do not.
+const COUNTED: [f32; 2 * EIGHT] = [
+    1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+];
+
 /// Strips of a part.
 #[derive(Default)]
 pub(super) struct Part {
@@ -185,10 +190,7 @@ fn cover<L: Lanes>(
                 continue;
             };
             let count = count.saturating_sub(first + k);
-            let counts = match count >= L::WIDTH {
-                true => lanes.all(1.0),
-                false => lanes.made(|lane| f32::from(u8::from(lane < count))),
-            };
+            let counts = lanes.load(&COUNTED[EIGHT - count.min(EIGHT)..]);
             for quarter in 0..4 {
                 let left = &mut block.left[quarter][k..];
                 let rest = -(meeting.quarters[quarter] * counts) + 1.0;
