@@ -90,45 +90,65 @@ fn polished() -> Material {
 
 const NEAR: DVec2 = DVec2::new(0.5213, 0.4891);
 
-/// Every pixel of 0.02 to 40 mm is within 3 % of the mean of parts so small that each scratch in them is shaded
-/// by itself; 3.5 % where lobes are narrower than the crowd's cross-sections lie apart.
-#[test]
-fn near_the_truth() {
+/// Sizes of a pixel, mm, and into how many parts each of its edges is cut for each scratch in them to be shaded by itself.
+const SIZES: [(f64, u32); 7] = [
+    (0.02, 3),
+    (2.0, 4),
+    (4.0, 7),
+    (8.0, 14),
+    (12.0, 20),
+    (20.0, 34),
+    (40.0, 67),
+];
+
+/// Every pixel of these sizes at these places is within 3 % of the mean of its parts.
+fn assert_near_the_truth(sizes: &[(f64, u32)], places: &[DVec2]) {
     let mut failed = Vec::new();
-    for (name, material, limit) in [
-        ("matt", matt(), 0.03),
-        ("satin", satin(), 0.03),
-        ("polished", polished(), 0.035),
+    for (name, material) in [
+        ("matt", matt()),
+        ("satin", satin()),
+        ("polished", polished()),
     ] {
         for way in [Way::Any, Way::Brushed, Way::Rings] {
             let pattern = scratched(&material, &Tool::rockwell_c(), way);
-            let mut worst = 0.0_f64;
-            for (size_mm, parts) in [
-                (0.02, 3),
-                (2.0, 4),
-                (4.0, 7),
-                (8.0, 14),
-                (12.0, 20),
-                (20.0, 34),
-                (40.0, 67),
-            ] {
+            for (&place, &(size_mm, parts)) in places
+                .iter()
+                .flat_map(|place| sizes.iter().map(move |size| (place, size)))
+            {
                 let (dx, dy) = edges(size_mm);
-                let mut line = format!("{name}, {way:?}, {size_mm} mm:");
+                let mut worst = 0.0_f64;
+                let mut line = format!("{name}, {way:?}, {size_mm} mm at {place}:");
                 for sheet in sheets() {
-                    let whole = sheet.pixel(&pattern, NEAR, dx, dy);
-                    let parts = sheet.mean_of_parts(&pattern, NEAR, dx, dy, parts);
+                    let whole = sheet.pixel(&pattern, place, dx, dy);
+                    let parts = sheet.mean_of_parts(&pattern, place, dx, dy, parts);
                     let off = relative(whole, parts);
                     line += &format!(" {off:.1e}");
                     worst = worst.max(off);
                 }
                 println!("{line}");
-            }
-            if worst >= limit {
-                failed.push(format!("{name}, {way:?}: {worst}"));
+                if worst >= 0.03 {
+                    failed.push(line);
+                }
             }
         }
     }
     assert!(failed.is_empty(), "{failed:#?}");
+}
+
+/// From a fifth of a scratch's width to 40 mm.
+#[test]
+fn near_the_truth() {
+    assert_near_the_truth(&SIZES, &[NEAR]);
+}
+
+/// Crowds of 200 scratches and more, anywhere. Of some dozens, what happens to be left of the few that shine decides: there
+/// single pixels are off by more.
+#[test]
+fn crowds_near_the_truth_elsewhere() {
+    let mut random = random(99);
+    let mut place = || 0.5 + random.random_range(-0.12..0.12);
+    let places = [(); 4].map(|()| DVec2::new(place(), place()));
+    assert_near_the_truth(&SIZES[4..6], &places);
 }
 
 /// A hundred thousand scratches in one pixel.

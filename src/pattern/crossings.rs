@@ -1,7 +1,7 @@
 //! Where scratches cross, the later one cuts the earlier: its groove and peaks replace what was there.
 
 use super::hit::Hit;
-use super::lines::{Lines, Stretches};
+use super::lines::{Left, Lines, Stretches};
 use super::region::Region;
 use arrayvec::ArrayVec;
 
@@ -47,12 +47,12 @@ impl<'c, 'p> Crossing<'c, 'p> {
         })
     }
 
-    /// The share of what run `i` covers that later ones leave. Of one that only shades the footprint, the share that they
-    /// leave of all of it, as if they lay independently of one another.
-    pub(crate) fn left_share(&self, i: usize, pixel_area: f64) -> f64 {
+    /// What later ones leave of what run `i` covers. Of one that only shades the footprint, the share that they leave of all
+    /// of it, as if they lay independently of one another.
+    pub(crate) fn left(&self, i: usize, pixel_area: f64) -> Left {
         let (run, Some(cover)) = (&self.hits[i], &self.covers[i]) else {
             let covered = self.later(i).map(|(_, cover)| cover.area() / pixel_area);
-            return covered.map(|share| 1.0 - share.min(1.0)).product();
+            return Left::even(covered.map(|share| 1.0 - share.min(1.0)).product());
         };
         let lines = Lines::along(run, cover);
         let whole = lines.within(cover.edges().map(|(a, b)| [a, (b - a).perp()]));
@@ -60,7 +60,7 @@ impl<'c, 'p> Crossing<'c, 'p> {
         let mut cuts: ArrayVec<Stretches, MOST_CUTS> = ArrayVec::new();
         let all = others.map(|(later, _)| lines.within(later.borders(later.ends_mm)));
         cuts.extend(all.filter(|cut| cut.meet(&whole)).take(MOST_CUTS));
-        whole.share_beside(&mut cuts)
+        lines.left(&whole, &mut cuts)
     }
 
     /// Runs after run `i` that cover any of the footprint, and what they cover.

@@ -2,14 +2,28 @@
 
 use super::hit::Hit;
 use super::region::Region;
+use crate::single;
 use glam::DVec2;
 
 /// Lines beside one another, each in the middle of its share of the width.
-const LINES: usize = 4;
+const LINES: usize = 8;
 
 pub(super) struct Lines {
     starts: [DVec2; LINES],
     travel: DVec2,
+    /// Where the first one's share of the width begins, and how wide each is, mm across from the run's centre line.
+    low_mm: f64,
+    step_mm: f64,
+}
+
+/// What others leave of a run, strip by strip across it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Left {
+    /// Of all of it.
+    pub mean: f64,
+    strips: [f32; LINES],
+    /// Where one strip ends and the next begins, mm across from the run's centre line.
+    borders_mm: [f32; LINES - 1],
 }
 
 /// From where to where something reaches along each line, mm; nowhere unless to > from.
@@ -28,7 +42,15 @@ impl Lines {
         Self {
             starts: core::array::from_fn(|i| run.origin + across * (low + step * (i as f64 + 0.5))),
             travel: run.travel,
+            low_mm: low,
+            step_mm: step,
         }
+    }
+
+    /// What cuts, which are put in another order, leave of a run that reaches so far along them.
+    pub(super) fn left(&self, whole: &Stretches, cuts: &mut [Stretches]) -> Left {
+        let [left, all] = whole.beside(cuts);
+        Left::new([self.low_mm, self.step_mm], left, all)
     }
 
     /// What of them lies within borders, each a point and an inward direction.
@@ -66,23 +88,54 @@ impl Stretches {
         (0..LINES).any(meets)
     }
 
-    /// The share of them that none of `cuts` covers, which are put in another order.
-    pub(super) fn share_beside(&self, cuts: &mut [Self]) -> f64 {
-        let (mut left, mut whole) = (0.0, 0.0);
+    /// How much of each line none of `cuts` covers, and how much there is, mm.
+    fn beside(&self, cuts: &mut [Self]) -> [[f64; LINES]; 2] {
+        let (mut left, mut whole) = ([0.0; LINES], [0.0; LINES]);
         for i in 0..LINES {
             let [mut at, end] = [self.from[i], self.to[i]];
             if end <= at {
                 continue;
             }
-            whole += end - at;
+            whole[i] = end - at;
             cuts.sort_unstable_by(|a, b| a.from[i].total_cmp(&b.from[i]));
             for cut in cuts.iter().filter(|cut| cut.to[i] > cut.from[i]) {
-                left += (cut.from[i].min(end) - at).max(0.0);
+                left[i] += (cut.from[i].min(end) - at).max(0.0);
                 at = at.max(cut.to[i]).min(end);
             }
-            left += end - at;
+            left[i] += end - at;
         }
-        if whole > 0.0 { left / whole } else { 1.0 }
+        [left, whole]
+    }
+}
+
+impl Left {
+    /// Of strips that begin there and are so wide, mm across from the run's centre line: so much of all that each was.
+    pub(crate) fn new([low, step]: [f64; 2], left: [f64; LINES], all: [f64; LINES]) -> Self {
+        let share = |left: f64, all: f64| if all > 0.0 { left / all } else { 1.0 };
+        Self {
+            mean: share(left.iter().sum(), all.iter().sum()),
+            strips: core::array::from_fn(|i| single(share(left[i], all[i]))),
+            borders_mm: core::array::from_fn(|i| single(low + step * (i + 1) as f64)),
+        }
+    }
+
+    /// As much of each strip.
+    pub(crate) fn even(share: f64) -> Self {
+        Self {
+            mean: share,
+            strips: [single(share); LINES],
+            borders_mm: [0.0; LINES - 1],
+        }
+    }
+
+    /// Where strips end, and the share that is left of each; the outer ones go on without end. Neighbours of which as much is
+    /// left are one.
+    pub(crate) fn strips(&self) -> impl Iterator<Item = (f32, f32)> {
+        (0..LINES).filter_map(|i| match self.strips.get(i + 1) {
+            Some(next) if *next == self.strips[i] => None,
+            Some(_) => Some((self.borders_mm[i], self.strips[i])),
+            None => Some((f32::INFINITY, self.strips[i])),
+        })
     }
 }
 
@@ -121,6 +174,8 @@ mod tests {
                     DVec2::new(0.3, width * (i as f64 + 0.5) / LINES as f64)
                 }),
                 travel: DVec2::X,
+                low_mm: 0.0,
+                step_mm: width / LINES as f64,
             };
             let ends = [[DVec2::ZERO, DVec2::X], [DVec2::X * length, -DVec2::X]];
             let whole = lines.within(ends);
@@ -128,7 +183,7 @@ mod tests {
                 .iter()
                 .map(|borders| lines.within(*borders))
                 .collect();
-            let left = whole.share_beside(&mut cuts);
+            let left = lines.left(&whole, &mut cuts).mean;
             let worst = 0.5 / LINES as f64;
             assert!((left - truth).abs() < worst, "{left}, not {truth}");
             off += (left - truth).abs() / 40.0;

@@ -59,6 +59,7 @@ pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes,
 pub(crate) use hit::Hit;
 pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
+pub(crate) use lines::Left;
 pub use mesh::{MeshRegion, MeshZone, ReliefMesh};
 pub(crate) use palette::MOST_CLASS_VERTICES;
 pub use path::{Curve, Path};

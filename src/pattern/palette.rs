@@ -1,5 +1,7 @@
 //! The few cross-sections that stand for all of a pattern's where many scratches share a pixel.
 
+mod choice;
+
 use super::layers::{Layered, MOST_CUT};
 use super::store::Store;
 use super::track::MOST_VERTICES;
@@ -12,14 +14,14 @@ use rayon::prelude::*;
 /// Cross-sections in a palette.
 pub(crate) const MOST_CLASSES: usize = 8;
 
-/// Vertices of all: finer ones are thinned out.
-const MOST_POINTS: usize = 96;
+/// Vertices of all: finer ones are thinned out. As many of an arc's are kept as it has.
+const MOST_POINTS: usize = 104;
 
 /// Vertices of the finest one.
 pub(crate) const MOST_CLASS_VERTICES: usize = 36;
 
-/// Classes are taken until every cross-section's slopes are this close to one, RMS, as a share of the width of the
-/// smoothest finish's lobe, or there are enough.
+/// There are enough classes if every cross-section's slopes are this close to one, RMS, as a share of the width of the
+/// smoothest finish's lobe.
 const CLOSE_ENOUGH: f32 = 0.15;
 
 /// Cross-sections that take less than this share of all scratched area ask for no class.
@@ -110,25 +112,8 @@ impl Palette {
             .iter()
             .map(Finish::alpha)
             .fold(0.3, f32::min);
-        let mut apart = vec![f32::INFINITY; choices.len()];
-        let mut chosen: Vec<usize> = Vec::new();
-        while chosen.len() < MOST_CLASSES {
-            let first = chosen.is_empty();
-            let area = |i: usize| areas[choices[i].0];
-            let worst = match first {
-                true => (0..choices.len()).max_by(|&a, &b| area(a).total_cmp(&area(b))),
-                false => (0..choices.len()).max_by(|&a, &b| apart[a].total_cmp(&apart[b])),
-            };
-            let Some(worst) =
-                worst.filter(|&worst| first || apart[worst] > CLOSE_ENOUGH * smoothest)
-            else {
-                break;
-            };
-            for (apart, signature) in apart.iter_mut().zip(&signatures) {
-                *apart = apart.min(distance(signature, &signatures[worst]));
-            }
-            chosen.push(worst);
-        }
+        let weights: Vec<f64> = choices.iter().map(|choice| areas[choice.0]).collect();
+        let chosen = choice::chosen(&signatures, &weights, CLOSE_ENOUGH * smoothest);
         let most = (MOST_POINTS / chosen.len().max(1)).min(MOST_CLASS_VERTICES);
         for shape in chosen.into_iter().map(|choice| &shapes[choice]) {
             palette.push(shape, most);
@@ -160,12 +145,12 @@ impl Palette {
 
     fn push(&mut self, shape: &Shape, most_vertices: usize) {
         let first = self.points.len();
-        let mirrored = shape.mirrored();
+        let is_symmetric = shape.is_symmetric();
         self.points.extend(&shape.thinned(most_vertices).points);
         self.classes.push(Class {
             first: u32::try_from(first).unwrap_or(0),
             count: u32::try_from(self.points.len() - first).unwrap_or(0),
-            is_symmetric: (distance(&shape.signature(), &mirrored.signature()) < 0.01).into(),
+            is_symmetric: is_symmetric.into(),
         });
     }
 
@@ -274,9 +259,14 @@ impl Shape {
         signature
     }
 
-    /// Without the corners that turn least, until few enough are left.
+    fn is_symmetric(&self) -> bool {
+        distance(&self.signature(), &self.mirrored().signature()) < 0.01
+    }
+
+    /// Without the corners that turn least, until few enough are left; what is symmetric stays so.
     fn thinned(&self, most_vertices: usize) -> Self {
         let mut points = self.points.clone();
+        let is_symmetric = self.is_symmetric();
         while points.len() > most_vertices {
             let turn = |i: usize| {
                 let ([a, b, c], same) = (
@@ -288,15 +278,25 @@ impl Shape {
                 if same { turn } else { turn + 1.0 }
             };
             let least = (1..points.len() - 1).min_by(|&a, &b| turn(a).total_cmp(&turn(b)));
-            points.remove(least.unwrap_or(1));
+            let least = least.unwrap_or(1);
+            let mirrored = points.len() - 1 - least;
+            if is_symmetric && least != mirrored {
+                points.remove(least.max(mirrored));
+                points.remove(least.min(mirrored));
+            } else {
+                points.remove(least);
+            }
         }
         Self { points }
     }
 }
 
 fn distance(a: &Signature, b: &Signature) -> f32 {
-    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
-    (squares.sum::<f32>() / SAMPLES as f32).sqrt()
+    (squared(a, b) / SAMPLES as f32).sqrt()
+}
+
+fn squared(a: &Signature, b: &Signature) -> f32 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum()
 }
 
 /// The nearest class, and the one towards which the signature lies from there.

@@ -2,13 +2,14 @@
 //! distribution T, here from any convex region).
 
 use crate::lanes::Number;
-use crate::pattern::{MOST_CORNERS, Region};
+use crate::pattern::{Left, MOST_CORNERS, Region};
 use crate::single;
+use arrayvec::ArrayVec;
 use glam::DVec2;
 
 /// Pieces of density that a shading point holds for all its scratches together: three for each that crosses the
 /// pixel, more where others cross it.
-pub(crate) const MOST_DENSITIES: usize = 88;
+pub(crate) const MOST_DENSITIES: usize = 87;
 
 /// A place is found by so many halvings.
 const HALVINGS: u32 = 20;
@@ -95,6 +96,54 @@ impl Densities {
             }
         }
         Some(self.weight_from(first))
+    }
+
+    /// The same of what is left of them, strip by strip across the scratch. What found no room takes none.
+    pub(crate) fn add_left(
+        &mut self,
+        regions: &[Region],
+        left: &Left,
+        origin: DVec2,
+        across: DVec2,
+        pixel_area: f64,
+    ) -> Option<Weight> {
+        let first = self.used;
+        let weight = self
+            .add_regions(regions, origin, across, pixel_area)
+            .and_then(|weight| self.leave(weight, left));
+        if weight.is_none() {
+            self.used = first;
+        }
+        weight
+    }
+
+    /// Leaves so much of a weight that was added last.
+    fn leave(&mut self, weight: Weight, left: &Left) -> Option<Weight> {
+        if left.strips().all(|(_, share)| share == 1.0) {
+            return Some(weight);
+        }
+        let mut whole: ArrayVec<Piece, MOST_DENSITIES> = ArrayVec::new();
+        whole.try_extend_from_slice(self.pieces(&weight)).ok()?;
+        self.used = weight.first;
+        for piece in &whole {
+            let mut from = piece.from;
+            let strips = left.strips();
+            for (border, share) in strips.skip_while(|(border, _)| *border <= piece.from) {
+                let to = border.min(piece.to);
+                if share > 0.0 {
+                    *self.pieces.get_mut(self.used as usize)? = piece.part([from, to], share);
+                    self.used += 1;
+                }
+                if to == piece.to {
+                    break;
+                }
+                from = to;
+            }
+        }
+        Some(Weight {
+            count: self.used - weight.first,
+            ..weight
+        })
     }
 
     /// A parallelogram around the origin with these half diagonals: as high all along its middle, and falling on both sides.
@@ -262,6 +311,25 @@ impl Densities {
 }
 
 impl Piece {
+    /// A share of what lies between two places within it.
+    fn part(&self, [from, to]: [f32; 2], share: f32) -> Self {
+        if [from, to] == [self.from, self.to] {
+            return Self {
+                weight: share * self.weight,
+                ..*self
+            };
+        }
+        // From -1 at its left end to 1 at its right one.
+        let off_middle = |at: f32| ((at - self.from) - (self.to - at)) / (self.to - self.from);
+        let [left, right] = [from, to].map(|at| off_middle(at) * self.skew + 1.0);
+        Self {
+            from,
+            to,
+            weight: share * self.between(from, to),
+            skew: (right - left) / (right + left).max(f32::MIN_POSITIVE),
+        }
+    }
+
     /// The part of its weight between x = `from` and x = `to`. Differences are taken of places, never of
     /// running sums, so that a facet a millionth of the pixel keeps its digits.
     #[inline(always)]
@@ -343,6 +411,42 @@ mod tests {
                     let off = (f64::from(ours) - share).abs();
                     assert!(off < 2e-6, "{degrees}, {place}: {ours} against {share}");
                 }
+            }
+        }
+    }
+
+    /// What strips leave of a pixel weighs, up to any place across, the strips' shares of what lay in them before.
+    #[test]
+    fn strips_weigh_what_is_left() {
+        let pixel = Region::parallelogram(DVec2::new(0.3, 0.04), DVec2::new(-0.02, 0.15));
+        let (low, step, shares) = (-0.03, 0.01, [1.0, 0.3, 0.3, 0.0, 0.5, 0.7, 0.9, 0.2]);
+        let left = Left::new([low, step], shares, [1.0; 8]);
+        for degrees in [0.0_f64, 17.0, 45.0, 133.0] {
+            let (across, origin) = (
+                DVec2::from_angle(degrees.to_radians()),
+                DVec2::new(0.01, 0.02),
+            );
+            let mut densities = Densities::EMPTY;
+            let mut add = |left: &Left| {
+                let weight = densities.add_left(&[pixel], left, origin, across, pixel.area());
+                weight.unwrap()
+            };
+            let [whole, cut] = [Left::even(1.0), left].map(|left| add(&left));
+            for to in (-40..40).map(|i| single(0.005 * f64::from(i))) {
+                let strip = |i: usize| {
+                    let ends = [i, i + 1].map(|k| match k {
+                        0 => -10.0,
+                        8 => 10.0,
+                        _ => single(low + step * k as f64),
+                    });
+                    single(shares[i]) * densities.between(&whole, ends[0], ends[1].min(to))
+                };
+                let wanted: f32 = (0..8).map(strip).sum();
+                let ours = densities.between(&cut, -10.0, to);
+                assert!(
+                    (ours - wanted).abs() < 2e-6,
+                    "{degrees}, {to}: {ours} against {wanted}"
+                );
             }
         }
     }

@@ -17,7 +17,7 @@ use glam::{Vec2, Vec3};
 pub(crate) const MOST_RELIEFS: usize = 17;
 
 /// Vertices that a shading point holds for all its scratches together.
-pub(crate) const MOST_SLOTS: usize = 192;
+pub(crate) const MOST_SLOTS: usize = 200;
 
 /// Different finishes that a shading point holds, the surface's among them. Zones of further ones reflect like the last.
 pub(crate) const MOST_FINISHES: usize = 8;

@@ -2,7 +2,7 @@
 
 use super::Shading;
 use crate::formation::MOST_LAYERS;
-use crate::pattern::{Candidates, Crossing, Crowd, Hit, Pattern, Reach, Region};
+use crate::pattern::{Candidates, Crossing, Crowd, Hit, Left, Pattern, Reach, Region};
 use crate::scattering::eval::rest;
 use crate::scattering::flocks::{Flock, MOST_FLOCKS};
 use crate::scattering::relief::{MOST_RELIEFS, MOST_SLOTS, Relief};
@@ -25,8 +25,8 @@ const MOST_HITS: usize = 128;
 /// than a scratch to be shaded.
 const FEW_HITS: usize = 12;
 
-/// Scratches up to this share of the footprint's thickness are thin: what later ones take of one is taken evenly from all of
-/// its width.
+/// Scratches up to this share of the footprint's thickness are thin: what later ones take of one is measured on lines along
+/// it. So is what they take of any that they cut into more parts.
 const THIN: f64 = 0.125;
 
 /// Beside many others the caps of scratches up to this share of it count as a crowd: all of it from twice so many pieces on,
@@ -127,6 +127,7 @@ impl Shading {
                     pattern,
                     hit,
                     slice::from_ref(&hit.region),
+                    &Left::even(1.0),
                     single(hit.alone),
                     reach.area_mm2,
                 );
@@ -174,36 +175,37 @@ impl Shading {
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
             let gain = single(alone * hit.alone);
             let whole = reach.area_mm2;
-            let mut add = |parts: &[Region], area_mm2| {
-                let added = self.add(pattern, hit, parts, gain, area_mm2);
+            let mut add = |parts: &[Region], left: &Left| {
+                let added = self.add(pattern, hit, parts, left, gain, whole);
                 added.is_some()
             };
-            let added = alone > 0.0
-                && if right - left <= thin_mm {
-                    add(
-                        slice::from_ref(&hit.region),
-                        whole / crossing.left_share(i, whole),
-                    )
-                } else {
-                    let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
-                    parts.push(hit.region);
-                    crossing.cut(i, &mut parts, whole) && add(&parts, whole)
-                };
+            let mut cut = || {
+                let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
+                parts.push(hit.region);
+                crossing.cut(i, &mut parts, whole) && add(&parts, &Left::even(1.0))
+            };
+            let is_cut = alone > 0.0 && right - left > thin_mm && cut();
+            if is_cut && alone == 1.0 {
+                continue;
+            }
+            let left = crossing.left(i, whole);
+            let added = is_cut || (alone > 0.0 && add(slice::from_ref(&hit.region), &left));
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(Crowd::new);
-                let left = crossing.left_share(i, whole);
-                pattern.add_run(crowd, hit, reach, rest * area * left * hit.alone);
+                pattern.add_run(crowd, hit, reach, rest * area * left.mean * hit.alone);
             }
         }
     }
 
-    /// Adds what is left of a run, `parts` of a footprint of so many mm², thinned by `gain`; nothing if there is no room.
+    /// Adds what is left of a run, of these `parts` of a footprint of so many mm², thinned by `gain`; nothing if there is no
+    /// room.
     fn add(
         &mut self,
         pattern: &Pattern,
         hit: &Hit<'_>,
         parts: &[Region],
+        left: &Left,
         gain: f32,
         area_mm2: f64,
     ) -> Option<()> {
@@ -212,7 +214,7 @@ impl Shading {
         }
         let across = hit.across();
         let densities = &mut self.zones.densities;
-        let weight = densities.add_regions(parts, hit.origin, across, area_mm2)?;
+        let weight = densities.add_left(parts, left, hit.origin, across, area_mm2)?;
         let mut numbers = [0; MOST_LAYERS + 1];
         for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
             *number = self.zones.finish(&pattern.hosts.found(&finish));
