@@ -7,6 +7,9 @@
 #include "render.h"
 #include "tiles.h"
 
+/* Where nothing is said. */
+static const int USUAL_REFLECTIONS = 4;
+
 static bool refuse_range(const char *name, int last, int most, const char *what) {
     fprintf(stderr, "%s goes to %d; accepted: up to %d, the scene has no more %s\n", name, last, most, what);
     return false;
@@ -30,8 +33,9 @@ bool frames_plan(FrameJob *job, const Scene *scene, const Options *options) {
     const bool split = options->last_tile >= 0 || options->resume;
     *job = (FrameJob){.scene = scene, .options = options, .by_paths = options->integrator == INTEGRATOR_PATHS};
     if (options->integrator == INTEGRATOR_OF_SCENE) job->by_paths = scene->paths > 0;
-    if (!job->by_paths && (split || options->environment))
-        return complain("--tiles, --resume and --environment", "accepted with --integrator paths only");
+    if (!job->by_paths && (split || options->environment || options->reflections > 0))
+        return complain("--tiles, --resume, --environment and --reflections",
+                        "accepted with --integrator paths only");
     if (job->by_paths && options->check) return complain("--check", "accepted with --integrator direct only");
     if (options->last_frame > (int)scene->view_count)
         return refuse_range("--frames", options->last_frame, (int)scene->view_count, "views");
@@ -66,6 +70,7 @@ static bool render_paths(const FrameJob *job, const Stage *stage, const LabelMap
                          Film *film) {
     const Options *options = job->options;
     const char *name = stage->view->name;
+    const int reflections = options->reflections > 0 ? options->reflections : USUAL_REFLECTIONS;
     OutputPath kept;
     char ending[64] = ".exr";
     const bool part = options->last_tile >= 0;
@@ -74,7 +79,7 @@ static bool render_paths(const FrameJob *job, const Stage *stage, const LabelMap
     if (options->resume && !output_take_parts(picture, options->out, name, job->samples)) return false;
     const DrawSettings settings = {.paths = {.samples = job->samples,
                                              .looks = 4,
-                                             .reflections = options->reflections,
+                                             .reflections = reflections,
                                              .most_indirect = job->scene->most_indirect},
                                    .threads = options->threads,
                                    .first_tile = options->first_tile,

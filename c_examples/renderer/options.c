@@ -129,7 +129,6 @@ OptionsOutcome options_parse(int argc, char **argv, Options *options) {
                          .out = "out",
                          .width = 960,
                          .height = 540,
-                         .reflections = 4,
                          .last_tile = -1,
                          .threads = tiles_default_threads()};
     for (int i = 1; i < argc; i++) {

@@ -10,8 +10,8 @@ typedef struct Options {
     const char *out; /* folder for the pictures */
     int width, height;
     Integrator integrator;
-    int spp; /* 0: as the scene says */
-    int reflections;
+    int spp;         /* 0: as the scene says */
+    int reflections; /* 0: as many as are usual */
     int threads;
     bool walls;                  /* light goes from wall to wall within scratches */
     const char *environment;     /* NULL: the scene's own */

@@ -28,6 +28,7 @@ renderer_test(bad_tiles 2 "--tiles is \"7-3\"; accepted: two whole numbers from 
 renderer_test(too_many_tiles 2 "--tiles goes to 99; accepted: up to 11" --integrator paths --tiles 0-99 --width 100 --height 70
   --out "'${pictures}'")
 renderer_test(direct_tiles 2 "accepted with --integrator paths only" --tiles 0-1 --out "'${pictures}'")
+renderer_test(direct_reflections 2 "accepted with --integrator paths only" --reflections 2 --out "'${pictures}'")
 renderer_test(bad_environment 1 "/proc/nowhere.exr: " --integrator paths --environment /proc/nowhere.exr --out "'${pictures}'")
 
 # Every figure's scene can be built, and a small picture of it comes out.

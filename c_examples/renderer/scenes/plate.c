@@ -131,9 +131,9 @@ bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     /* Camera and flash go round the plate together. First they look along the scratches, which throw the flash
        aside; then across them and from high up, so that even the weakest is steep enough to throw it back; then
        from the other side and lower, where the weakest is not. */
-    scene->views[0] = view("plate-1", -20.0, 66.0, 0.0, 29.0);
-    scene->views[1] = view("plate-2", 84.0, 71.0, -72.0, 29.5);
-    scene->views[2] = view("plate-3", -89.0, 65.0, -8.0, 27.5);
+    scene->views[0] = view("plate-1", -20.0, 66.0, 60.0, 36.0);
+    scene->views[1] = view("plate-2", 84.0, 71.0, -12.0, 34.0);
+    scene->views[2] = view("plate-3", -89.0, 65.0, -8.0, 34.5);
     scene->view_count = 3;
     scene->sheet = "contact-sheet";
     scene->add_lamps = add_lamps;
