@@ -22,7 +22,7 @@ const SIDE_MM: f64 = 100.0;
 const MANY: u32 = 64;
 
 /// A call of each kind, and of how many things it disposes.
-const JOBS: [(&str, u32); 13] = [
+const JOBS: [(&str, u32); 14] = [
     ("ggx", 1),
     ("shade_empty", 1),
     ("shade_beside", 1),
@@ -30,6 +30,7 @@ const JOBS: [(&str, u32); 13] = [
     ("shade_four", 1),
     ("shade_curved", 1),
     ("shade_tapering", 1),
+    ("shade_end", 1),
     ("eval", 1),
     ("eval_four", 1),
     ("eval_pdf", 1),
@@ -197,6 +198,7 @@ impl Scene {
             "shade_four" => shade(shading, &self.four, &point(0.5, 0.05), i),
             "shade_curved" => shade(shading, &self.curved, &on_curve(0.4), i),
             "shade_tapering" => shade(shading, &self.curved, &on_curve(0.1), i),
+            "shade_end" => shade(shading, &self.one, &END, i),
             "eval" | "eval_four" => {
                 black_box(black_box(&*shading).eval(direction(i), Output::BrdfCos));
             }
@@ -286,7 +288,13 @@ fn on_curve(t: f64) -> SurfacePoint {
     }
 }
 
-fn point(u: f64, radius_mm: f32) -> SurfacePoint {
+/// A pixel that holds the whole hard end of a scratch.
+const END: SurfacePoint = SurfacePoint {
+    uv: [0.5, 1.0],
+    ..point(0.5, 0.5)
+};
+
+const fn point(u: f64, radius_mm: f32) -> SurfacePoint {
     SurfacePoint {
         uv: [u, 0.5],
         dp_du: [100.0, 0.0, 0.0],

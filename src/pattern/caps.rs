@@ -290,16 +290,6 @@ impl Wedge {
     fn width_rad(self) -> f64 {
         f64::from(self.to_rad) - f64::from(self.from_rad)
     }
-
-    /// Unit directions of the borders, where travel is along `travel`.
-    pub(crate) fn borders(self, travel: DVec2) -> [DVec2; 2] {
-        [self.from_rad, self.to_rad].map(|angle| turned(travel, angle))
-    }
-
-    /// Unit direction of the axis.
-    pub(crate) fn axis(self, travel: DVec2) -> DVec2 {
-        turned(travel, self.axis_rad)
-    }
 }
 
 /// How wide a sector is at 1 mm along its axis, from which its borders lead away so far, radians.
@@ -309,7 +299,8 @@ fn spread(borders_rad: [f64; 2]) -> f64 {
     to - from
 }
 
-fn turned(travel: DVec2, angle_rad: f32) -> DVec2 {
+/// A direction at an angle from travel, counter-clockwise from above.
+pub(super) fn turned(travel: DVec2, angle_rad: f32) -> DVec2 {
     DVec2::from_angle(f64::from(angle_rad)).rotate(travel)
 }
 

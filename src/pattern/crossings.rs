@@ -28,6 +28,15 @@ impl<'c, 'p> Crossing<'c, 'p> {
         Self { hits, covers }
     }
 
+    /// Whether none of these runs, which all cover some of the footprint, cuts another.
+    pub(crate) fn are_apart(hits: &[Hit<'_>]) -> bool {
+        hits.iter().enumerate().all(|(i, run)| {
+            let near = beside(run);
+            let mut later = hits[i + 1..].iter();
+            later.all(|later| later.adjoins(run) || !run.may_cover(near, &later.region))
+        })
+    }
+
     /// Cuts from the one region in `left`, which belongs to run `i`, what later runs take of it; false if that leaves too
     /// many parts.
     pub(crate) fn cut<const MOST_PARTS: usize>(
@@ -36,15 +45,9 @@ impl<'c, 'p> Crossing<'c, 'p> {
         left: &mut ArrayVec<Region, MOST_PARTS>,
         pixel_area: f64,
     ) -> bool {
-        let run = &self.hits[i];
-        let [from, to] = run.ends_mm;
-        let beside = BESIDE * (to - from);
-        let near = [from - beside, to + beside];
         let least_area = LEAST_PART * pixel_area;
-        self.later(i).all(|(later, cover)| {
-            let meets = run.may_cover(near, cover) && !later.adjoins(run);
-            !meets || cut_by(later, left, least_area)
-        })
+        self.cutting(i, beside(&self.hits[i]))
+            .all(|later| cut_by(later, left, least_area))
     }
 
     /// What later ones leave of what run `i` covers. Of one that only shades the footprint, the share that they leave of all
@@ -54,13 +57,25 @@ impl<'c, 'p> Crossing<'c, 'p> {
             let covered = self.later(i).map(|(_, cover)| cover.area() / pixel_area);
             return Left::even(covered.map(|share| 1.0 - share.min(1.0)).product());
         };
+        let mut others = self.cutting(i, run.ends_mm).peekable();
+        if others.peek().is_none() {
+            return Left::even(1.0);
+        }
         let lines = Lines::along(run, cover);
         let whole = lines.within(cover.edges().map(|(a, b)| [a, (b - a).perp()]));
-        let others = self.later(i).filter(|(later, _)| !later.adjoins(run));
         let mut cuts: ArrayVec<Stretches, MOST_CUTS> = ArrayVec::new();
-        let all = others.map(|(later, _)| lines.within(later.borders(later.ends_mm)));
+        let all = others.map(|later| lines.within(later.borders(later.ends_mm)));
         cuts.extend(all.filter(|cut| cut.meet(&whole)).take(MOST_CUTS));
         lines.left(&whole, &mut cuts)
+    }
+
+    /// Later ones that may cut what run `i` has between two distances across.
+    fn cutting(&self, i: usize, across_mm: [f64; 2]) -> impl Iterator<Item = &'c Hit<'p>> {
+        let run = &self.hits[i];
+        let meets = move |(later, cover): (&'c Hit<'p>, &Region)| {
+            (!later.adjoins(run) && run.may_cover(across_mm, cover)).then_some(later)
+        };
+        self.later(i).filter_map(meets)
     }
 
     /// Runs after run `i` that cover any of the footprint, and what they cover.
@@ -68,6 +83,13 @@ impl<'c, 'p> Crossing<'c, 'p> {
         let later = self.hits[i + 1..].iter().zip(&self.covers[i + 1..]);
         later.filter_map(|(hit, cover)| Some((hit, cover.as_ref()?)))
     }
+}
+
+/// Between which distances across from a run cuts matter.
+fn beside(run: &Hit<'_>) -> [f64; 2] {
+    let [from, to] = run.ends_mm;
+    let beside = BESIDE * (to - from);
+    [from - beside, to + beside]
 }
 
 /// Cuts what one run covers from some parts; false if that leaves too many.

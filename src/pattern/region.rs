@@ -50,6 +50,13 @@ impl Region {
         Self { corners, count: 4 }
     }
 
+    /// Corners counter-clockwise.
+    pub(crate) fn triangle(points: [DVec2; 3]) -> Self {
+        let mut corners = [DVec2::ZERO; MOST_CORNERS];
+        corners[..3].copy_from_slice(&points);
+        Self { corners, count: 3 }
+    }
+
     pub(crate) fn corners(&self) -> &[DVec2] {
         &self.corners[..self.count]
     }
@@ -157,6 +164,12 @@ impl Region {
     pub(crate) fn keep(&mut self, lines: &[[DVec2; 2]]) -> bool {
         let mut lines = lines.iter();
         lines.all(|&[origin, inward]| self.clip(origin, inward))
+    }
+
+    /// Keeps what it shares with another; false if that is nothing.
+    pub(crate) fn keep_within(&mut self, other: &Self) -> bool {
+        let mut edges = other.edges();
+        edges.all(|(a, b)| self.clip(a, (b - a).perp()))
     }
 
     /// Half its diagonals, if it is a whole parallelogram around the origin.

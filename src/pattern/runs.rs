@@ -4,13 +4,14 @@ mod nearest;
 mod part;
 
 use super::Pattern;
-use super::caps::CapAt;
+use super::caps::{CapAt, LONGEST_BORDER, turned};
 use super::closest::{
     end_tangent, end_tangents, is_even_line, length_share, start_tangent, unit_or_x,
 };
 use super::hit::Hit;
 use super::pieces::{Curves, bounds, halves, line_control};
 use super::query::{Candidates, Reach};
+use super::region::Region;
 use crate::formation::End;
 use core::ops::ControlFlow;
 use glam::DVec2;
@@ -353,16 +354,35 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         if alone == 0.0 {
             return;
         }
-        let Some(beyond) = self.reach.footprint.clipped(point, outward) else {
+        let footprint = self.reach.footprint;
+        let [_, most] = footprint.extent(point, outward);
+        if most <= 0.0 {
             return;
-        };
+        }
         let visible = self.pattern.visible_share(part.number);
+        // Where one sector ends the next one begins.
+        let mut last = (f32::NAN, DVec2::NAN);
+        let mut border = |angle_rad: f32| {
+            if last.0 != angle_rad {
+                last = (angle_rad, turned(travel, angle_rad));
+            }
+            last.1
+        };
         for sector in cap.sectors() {
-            let [from, to] = sector.wedge.borders(travel);
+            let wedge = sector.wedge;
+            let (from, axis) = (border(wedge.from_rad), turned(travel, wedge.axis_rad));
+            let to = border(wedge.to_rad);
             let origin = point + sector.offset_mm * DVec2::new(travel.y, -travel.x);
+            // Out of reach nothing of it matters: most caps lie within the footprint, and nothing is to be cut.
+            let far = |border: DVec2| {
+                let widest = border.dot(axis).max(1.0 / LONGEST_BORDER);
+                origin + border * (self.reach.reach_mm / widest)
+            };
+            let mut region = Region::triangle([origin, far(from), far(to)]);
+            if !region.keep_within(footprint) {
+                continue;
+            }
             let parting = [[origin, from.perp()], [origin, to.perp()]];
-            let region = beyond.within(&[[origin, from.perp()], [origin, -to.perp()]]);
-            let Some(region) = region else { continue };
             self.tell(&Hit {
                 track: part.track,
                 place: cap.place,
@@ -371,7 +391,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
                 scratch: part.scratch,
                 at: cap.at,
                 origin,
-                travel: sector.wedge.axis(travel).perp(),
+                travel: axis.perp(),
                 parting,
                 region,
                 visible,

@@ -119,22 +119,29 @@ impl Shading {
         if thin_caps {
             pattern.add_thin_caps(&mut crowd, candidates, reach, thin_caps_mm);
         }
-        match &hits[..] {
-            [] => {}
-            // Most pixels that hold any: there is nothing to be cut, and always room.
-            [hit] => {
-                self.add(
-                    pattern,
-                    hit,
-                    slice::from_ref(&hit.region),
-                    &Left::even(1.0),
-                    single(hit.alone),
-                    reach.area_mm2,
-                );
-            }
-            hits => self.add_crossing::<MOST>(pattern, hits, reach, &mut crowd),
+        // Most pixels that hold any: there is nothing to be cut, and room.
+        let is_plain = || beside == 0 && crowd.is_none() && fit(pattern, &hits);
+        let apart = hits.len() < 2 || is_plain() && Crossing::are_apart(&hits);
+        if !(apart && self.add_whole(pattern, &hits, reach)) {
+            self.add_crossing::<MOST>(pattern, &hits, reach, &mut crowd);
         }
         crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, reach))
+    }
+
+    /// Adds runs of which none cuts another; false, with none added, if there is no room.
+    fn add_whole(&mut self, pattern: &Pattern, hits: &[Hit<'_>], reach: &Reach<'_>) -> bool {
+        let count = self.scratch_count;
+        let mut hits = hits.iter();
+        let all = hits.all(|hit| {
+            let (parts, gain) = (slice::from_ref(&hit.region), single(hit.alone));
+            let added = self.add(pattern, hit, parts, &Left::even(1.0), gain, reach.area_mm2);
+            added.is_some()
+        });
+        if !all {
+            self.clear();
+            self.scratch_count = count;
+        }
+        all
     }
 
     /// Adds runs, each less what later ones cut away; the smallest ones to the crowd where there is no room.
@@ -159,8 +166,7 @@ impl Shading {
                 .enumerate(),
         );
         runs.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let room = MOST_SLOTS - pattern.palette.vertex_count();
-        let mut taken = 0;
+        let (room, mut taken) = (room(pattern), 0);
         let full = |&(k, &(i, _)): &(usize, &(usize, f64))| {
             taken += hits[i].most_vertices();
             k == MOST_RELIEFS || taken > room
@@ -285,4 +291,15 @@ impl Shading {
         self.coverage = (0.0 + all).clamp(0.0, 1.0);
         self.seen = all / self.crowding + rest(self.coverage);
     }
+}
+
+/// Whether all of these runs may be held one by one.
+fn fit(pattern: &Pattern, hits: &[Hit<'_>]) -> bool {
+    let vertices: usize = hits.iter().map(Hit::most_vertices).sum();
+    hits.len() <= MOST_RELIEFS && vertices <= room(pattern)
+}
+
+/// Vertices of scratches that may be held one by one: the others are for a crowd.
+fn room(pattern: &Pattern) -> usize {
+    MOST_SLOTS - pattern.palette.vertex_count()
 }
