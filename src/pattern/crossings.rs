@@ -54,7 +54,7 @@ impl<'c, 'p> Crossing<'c, 'p> {
             let covered = self.later(i).map(|(_, cover)| cover.area() / pixel_area);
             return Left::even(covered.map(|share| 1.0 - share.min(1.0)).product());
         };
-        let lines = Lines::along(run, cover);
+        let lines = Lines::along(&run.line, cover);
         let whole = lines.within(cover.edges().map(|(a, b)| [a, (b - a).perp()]));
         let others = self.later(i).filter(|(later, _)| !later.adjoins(run));
         let mut cuts: ArrayVec<Stretches, MOST_CUTS> = ArrayVec::new();
