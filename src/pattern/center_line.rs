@@ -17,7 +17,7 @@ pub(crate) struct CenterLine {
     pub travel: DVec2,
     /// How much the cross-section grows by the mm, as a share of what it is at the origin.
     taper: f64,
-    /// How far across the edges of one that grows are.
+    /// How far across the edges of a run that grows are; nowhere of one that does not.
     edges: [f64; 2],
 }
 
@@ -28,7 +28,7 @@ impl CenterLine {
             origin,
             travel,
             taper: 0.0,
-            edges: [0.0; 2],
+            edges: [f64::NEG_INFINITY, f64::INFINITY],
         }
     }
 
