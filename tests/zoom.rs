@@ -151,6 +151,28 @@ fn crowds_near_the_truth_elsewhere() {
     assert_near_the_truth(&SIZES[4..6], &places);
 }
 
+/// Pixels as small as the tips of scratches that set in or run out are within 1 % of the mean of their parts.
+#[test]
+fn tips_are_cut_straight() {
+    let pattern = scratched(&matt(), &Tool::rockwell_c(), Way::Rings);
+    let mut random = random(99);
+    let mut place = || 0.5 + random.random_range(-0.12..0.12);
+    let (dx, dy) = edges(0.02);
+    let [sheet, ..] = sheets();
+    let mut worst = (0.0, DVec2::ZERO);
+    for _ in 0..400 {
+        let place = DVec2::new(place(), place());
+        let whole = sheet.pixel(&pattern, place, dx, dy);
+        let parts = sheet.mean_of_parts(&pattern, place, dx, dy, 8);
+        let off = relative(whole, parts);
+        if off > worst.0 {
+            worst = (off, place);
+        }
+    }
+    println!("tips: {worst:?}");
+    assert!(worst.0 < 0.01, "{worst:?}");
+}
+
 /// A hundred thousand scratches in one pixel.
 #[test]
 fn all_in_one_pixel() {

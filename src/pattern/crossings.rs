@@ -61,7 +61,7 @@ impl<'c, 'p> Crossing<'c, 'p> {
         if others.peek().is_none() {
             return Left::even(1.0);
         }
-        let lines = Lines::along(run, cover);
+        let lines = Lines::along(&run.line, cover);
         let whole = lines.within(cover.edges().map(|(a, b)| [a, (b - a).perp()]));
         let mut cuts: ArrayVec<Stretches, MOST_CUTS> = ArrayVec::new();
         let all = others.map(|later| lines.within(later.borders(later.ends_mm)));

@@ -1,5 +1,6 @@
 //! One scratch's way through a pixel's footprint.
 
+use super::center_line::CenterLine;
 use super::profile::Profile;
 use super::region::Region;
 use super::tracks::TrackRef;
@@ -16,12 +17,9 @@ pub(crate) struct Hit<'p> {
     /// Where what it covers begins and ends, mm across from the centre line.
     pub ends_mm: [f64; 2],
     pub scratch: u32,
-    /// Share of the scratch's arc length at `origin`.
+    /// Share of the scratch's arc length at the line's origin.
     pub at: f64,
-    /// A point of the scratch's centre line.
-    pub origin: DVec2,
-    /// The centre line's unit direction of travel there.
-    pub travel: DVec2,
+    pub line: CenterLine,
     /// Point and unit direction, forwards, of the lines across which this run begins and ends.
     pub parting: [[DVec2; 2]; 2],
     /// What of the footprint lies between those lines, beside the run too.
@@ -33,40 +31,26 @@ pub(crate) struct Hit<'p> {
 }
 
 impl Hit<'_> {
-    /// To the right of travel.
-    pub(crate) fn across(&self) -> DVec2 {
-        DVec2::new(self.travel.y, -self.travel.x)
-    }
-
     /// Vertices of its cross-section, once it is cut into layers.
     pub(crate) fn most_vertices(&self) -> usize {
         self.profile.vertex_count + 2 * self.track.layers().len()
     }
 
-    /// Point and inward direction of two lines along the run, so far across.
-    pub(crate) fn sides(&self, [from, to]: [f64; 2]) -> [[DVec2; 2]; 2] {
-        let across = self.across();
-        [
-            [self.origin + across * from, across],
-            [self.origin + across * to, -across],
-        ]
-    }
-
     /// What it covers of the footprint.
     pub(crate) fn cover(&self) -> Option<Region> {
-        self.region.within(&self.sides(self.ends_mm))
+        self.region.within(&self.line.sides(self.ends_mm))
     }
 
     /// Whether it covers nothing of the footprint, but lies beside it.
     pub(crate) fn is_beside(&self) -> bool {
-        let [low, high] = self.region.extent(self.origin, self.across());
+        let [low, high] = self.line.extent(&self.region);
         let [left, right] = self.ends_mm;
         low >= right || high <= left
     }
 
     /// Whether any of a region may lie between two distances across from the run, and between its ends.
     pub(super) fn may_cover(&self, [left, right]: [f64; 2], region: &Region) -> bool {
-        let [low, high] = region.extent(self.origin, self.across());
+        let [low, high] = self.line.extent(region);
         let is_across = low < right && high > left;
         is_across
             && self.parting_lines().iter().all(|&[start, inward]| {
@@ -77,7 +61,7 @@ impl Hit<'_> {
 
     /// The four lines that bound what the run covers between two distances across.
     pub(crate) fn borders(&self, across_mm: [f64; 2]) -> [[DVec2; 2]; 4] {
-        let [left, right] = self.sides(across_mm);
+        let [left, right] = self.line.sides(across_mm);
         let [start, end] = self.parting_lines();
         [left, right, start, end]
     }

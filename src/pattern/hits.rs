@@ -271,7 +271,7 @@ impl Listing<'_> {
             distance: f64::INFINITY,
         });
         sum.area += area;
-        let distance = run.origin.length_squared();
+        let distance = run.line.origin.length_squared();
         if distance < sum.distance {
             (sum.at, sum.distance) = (run.at, distance);
         }

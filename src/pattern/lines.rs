@@ -1,6 +1,6 @@
 //! Lines along a run, on which what other runs cover of it is measured: exact along each, however many cover one another.
 
-use super::hit::Hit;
+use super::center_line::CenterLine;
 use super::region::Region;
 use crate::single;
 use glam::DVec2;
@@ -9,8 +9,9 @@ use glam::DVec2;
 const LINES: usize = 8;
 
 pub(super) struct Lines {
+    line: CenterLine,
+    /// Beside its origin.
     starts: [DVec2; LINES],
-    travel: DVec2,
     /// Where the first one's share of the width begins, and how wide each is, mm across from the run's centre line.
     low_mm: f64,
     step_mm: f64,
@@ -34,14 +35,13 @@ pub(super) struct Stretches {
 }
 
 impl Lines {
-    /// Through what a run covers.
-    pub(super) fn along(run: &Hit<'_>, cover: &Region) -> Self {
-        let across = run.across();
-        let [low, high] = cover.extent(run.origin, across);
+    /// Along a run, through what it covers.
+    pub(super) fn along(line: &CenterLine, cover: &Region) -> Self {
+        let [low, high] = line.extent(cover);
         let step = (high - low) / LINES as f64;
         Self {
-            starts: core::array::from_fn(|i| run.origin + across * (low + step * (i as f64 + 0.5))),
-            travel: run.travel,
+            line: *line,
+            starts: core::array::from_fn(|i| line.beside(low + step * (i as f64 + 0.5))),
             low_mm: low,
             step_mm: step,
         }
@@ -49,7 +49,7 @@ impl Lines {
 
     /// What cuts, which are put in another order, leave of a run that reaches so far along them.
     pub(super) fn left(&self, whole: &Stretches, cuts: &mut [Stretches]) -> Left {
-        let [left, all] = whole.beside(cuts);
+        let [left, all] = whole.beside(cuts, &self.line);
         Left::new([self.low_mm, self.step_mm], left, all)
     }
 
@@ -60,7 +60,7 @@ impl Lines {
             to: [f64::INFINITY; LINES],
         };
         for [origin, inward] in borders {
-            let slope = self.travel.dot(inward);
+            let slope = self.line.approach([origin, inward]);
             let inside = self.starts.map(|start| (start - origin).dot(inward));
             if slope == 0.0 {
                 for (to, inside) in part.to.iter_mut().zip(inside) {
@@ -89,20 +89,20 @@ impl Stretches {
     }
 
     /// How much of each line none of `cuts` covers, and how much there is, mm.
-    fn beside(&self, cuts: &mut [Self]) -> [[f64; LINES]; 2] {
+    fn beside(&self, cuts: &mut [Self], line: &CenterLine) -> [[f64; LINES]; 2] {
         let (mut left, mut whole) = ([0.0; LINES], [0.0; LINES]);
         for i in 0..LINES {
             let [mut at, end] = [self.from[i], self.to[i]];
             if end <= at {
                 continue;
             }
-            whole[i] = end - at;
+            whole[i] = line.span([at, end]);
             cuts.sort_unstable_by(|a, b| a.from[i].total_cmp(&b.from[i]));
             for cut in cuts.iter().filter(|cut| cut.to[i] > cut.from[i]) {
-                left[i] += (cut.from[i].min(end) - at).max(0.0);
+                left[i] += line.span([at, cut.from[i].min(end)]).max(0.0);
                 at = at.max(cut.to[i]).min(end);
             }
-            left[i] += end - at;
+            left[i] += line.span([at, end]);
         }
         [left, whole]
     }
@@ -170,10 +170,10 @@ mod tests {
             let points = points.filter(|at| is_left(*at)).count() as f64;
             let truth = points / f64::from(steps * steps);
             let lines = Lines {
+                line: CenterLine::even(DVec2::ZERO, DVec2::X),
                 starts: core::array::from_fn(|i| {
                     DVec2::new(0.3, width * (i as f64 + 0.5) / LINES as f64)
                 }),
-                travel: DVec2::X,
                 low_mm: 0.0,
                 step_mm: width / LINES as f64,
             };

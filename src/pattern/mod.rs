@@ -8,6 +8,7 @@ mod along;
 mod arc_length;
 mod builder;
 mod caps;
+mod center_line;
 mod chords;
 mod closest;
 mod course;
@@ -51,6 +52,7 @@ mod track;
 mod tracks;
 
 pub use builder::PatternBuilder;
+pub(crate) use center_line::CenterLine;
 pub(crate) use crossings::Crossing;
 pub(crate) use crowd::Crowd;
 #[cfg(feature = "svg")]

@@ -120,7 +120,7 @@ impl Pattern {
         area_mm2: f64,
     ) {
         // From mm into the pattern's own scale, and back when it is shaded.
-        let travel = reach.metric.step_uv(hit.travel) * self.units_per_uv;
+        let travel = reach.metric.step_uv(hit.line.travel) * self.units_per_uv;
         let area_mm2 = area_mm2 * travel.length() * self.mm_per_scene_unit;
         let mut areas = ClassAreas::default();
         let classes = hit.track.classes(hit.place);

@@ -5,6 +5,7 @@ mod part;
 
 use super::Pattern;
 use super::caps::{CapAt, LONGEST_BORDER, turned};
+use super::center_line::CenterLine;
 use super::closest::{
     end_tangent, end_tangents, is_even_line, length_share, start_tangent, unit_or_x,
 };
@@ -15,12 +16,14 @@ use super::region::Region;
 use crate::formation::End;
 use core::ops::ControlFlow;
 use glam::DVec2;
-use nearest::Near;
 use part::{Last, Mark, Part, Run};
 
 /// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
 /// this share of its half width or height.
 const MOST_CHANGE: f64 = 0.14;
+
+/// Where a scratch sets in, one end of a run is at least this share as wide as the other.
+const LEAST_WIDENING: f64 = 0.5;
 
 /// Parts that cover less than this share of the footprint may change more: as the root of how much less, up to so many
 /// times as much.
@@ -200,15 +203,15 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         if part.is_even(from, to) {
             return true;
         }
-        let slack = self.slack(part);
         let change = part.change(from, to);
-        change.amount <= MOST_CHANGE * slack && (slack == MOST_SLACK || !change.sets_in)
+        let slack = self.slack(2.0 * change.wide_mm * part.chord().length());
+        change.amount <= MOST_CHANGE * slack
+            && (slack == MOST_SLACK || change.narrow_mm >= LEAST_WIDENING * change.wide_mm)
     }
 
-    /// How much more a part may change than one that covers much of the footprint.
-    fn slack(&self, part: &Part<'p>) -> f64 {
-        let area = 2.0 * part.track.half_width_mm() * part.chord().length();
-        let small = SMALL_PART * self.reach.area_mm2 / area;
+    /// How much more a part of this area may change than one that covers much of the footprint.
+    fn slack(&self, area_mm2: f64) -> f64 {
+        let small = SMALL_PART * self.reach.area_mm2 / area_mm2;
         small.sqrt().clamp(1.0, MOST_SLACK)
     }
 
@@ -299,18 +302,15 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             }
             (region, middle) = (&cut, cut.centroid());
         }
-        let mut near = self.nearest_on(run, middle);
-        let course = &first.course;
-        let mut place = course.value(near.at);
-        let mut profile = first.track.profile(place);
+        let near = self.nearest_on(run, middle);
+        let place = first.course.value(near.at);
+        let (mut at, mut line) = (near.at, near.line());
+        let (mut place, mut profile) = (place, first.track.profile(place));
         let is_even = run.is_even();
         if !(is_even && run.is_straight()) {
-            (near, profile) = self.look(run, region, near, profile, is_even);
-            place = course.value(near.at);
+            (at, line, profile) = self.look(run, region, near, profile, is_even);
+            place = first.course.value(at);
         }
-        let Near {
-            at, origin, travel, ..
-        } = near;
         self.tell(&Hit {
             track: first.track,
             place,
@@ -318,8 +318,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
             ends_mm: profile.ends().map(f64::from),
             scratch: first.scratch,
             at,
-            origin,
-            travel,
+            line,
             parting,
             region: *region,
             visible: self.pattern.visible_share(first.number),
@@ -390,8 +389,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
                 ends_mm: [0.0, sector.outer_mm()],
                 scratch: part.scratch,
                 at: cap.at,
-                origin,
-                travel: axis.perp(),
+                line: CenterLine::even(origin, axis.perp()),
                 parting,
                 region,
                 visible,

@@ -5,7 +5,7 @@ use super::relief::MOST_SLOTS;
 use super::shading::{LEAST_COS, Shading};
 use crate::brdf::{Brdf, Finish};
 use crate::error::{Error, Result, all_finite, in_range};
-use crate::pattern::Region;
+use crate::pattern::{CenterLine, Region};
 use glam::{DVec2, Vec2};
 
 /// Points of a cross-section that is shaded by itself.
@@ -79,9 +79,9 @@ impl Shading {
                 in_range("extents_mm", a, 0.0, 1e6)?;
                 in_range("extents_mm", b, 0.0, 1e6)?;
                 let region = Region::parallelogram(DVec2::new(a, 1.0), DVec2::new(b, -1.0));
-                let center_line = DVec2::new(-center_mm, 0.0);
+                let line = CenterLine::even(DVec2::new(-center_mm, 0.0), DVec2::Y);
                 let densities = &mut self.zones.densities;
-                densities.add_regions(&[region], center_line, DVec2::X, region.area())
+                densities.add_regions(&[region], &line, region.area())
             }
         };
         if let Some(weight) = weight {

@@ -2,7 +2,7 @@
 //! distribution T, here from any convex region).
 
 use crate::lanes::Number;
-use crate::pattern::{Left, MOST_CORNERS, Region};
+use crate::pattern::{CenterLine, Left, MOST_CORNERS, Region};
 use crate::single;
 use arrayvec::ArrayVec;
 use glam::DVec2;
@@ -10,6 +10,9 @@ use glam::DVec2;
 /// Pieces of density that a shading point holds for all its scratches together: three for each that crosses the
 /// pixel, more where others cross it.
 pub(crate) const MOST_DENSITIES: usize = 87;
+
+/// Where the density bends by more than this share of the pixel's weight, it has a corner: from twice as much on in full.
+const MOST_BEND: f64 = 0.003;
 
 /// A place is found by so many halvings.
 const HALVINGS: u32 = 20;
@@ -78,21 +81,19 @@ impl Densities {
         self.used = 0;
     }
 
-    /// The density of these regions together across a scratch that runs through `origin`; `across` is a unit
-    /// vector. Nothing if there is no room.
+    /// The density of these regions together across a scratch. Nothing if there is no room.
     pub(crate) fn add_regions(
         &mut self,
         regions: &[Region],
-        origin: DVec2,
-        across: DVec2,
+        line: &CenterLine,
         pixel_area: f64,
     ) -> Option<Weight> {
         let first = self.used;
         let per_area = 1.0 / pixel_area;
         for region in regions {
             match region.half_diagonals() {
-                Some(halves) => self.add_whole(halves, origin, across, per_area)?,
-                None => self.add_region(region, origin, across, per_area)?,
+                Some(halves) if line.is_even() => self.add_whole(halves, line, per_area)?,
+                _ => self.add_region(region, line, per_area)?,
             }
         }
         Some(self.weight_from(first))
@@ -103,13 +104,12 @@ impl Densities {
         &mut self,
         regions: &[Region],
         left: &Left,
-        origin: DVec2,
-        across: DVec2,
+        line: &CenterLine,
         pixel_area: f64,
     ) -> Option<Weight> {
         let first = self.used;
         let weight = self
-            .add_regions(regions, origin, across, pixel_area)
+            .add_regions(regions, line, pixel_area)
             .and_then(|weight| self.leave(weight, left));
         if weight.is_none() {
             self.used = first;
@@ -147,74 +147,106 @@ impl Densities {
     }
 
     /// A parallelogram around the origin with these half diagonals: as high all along its middle, and falling on both sides.
-    fn add_whole(
-        &mut self,
-        halves: [DVec2; 2],
-        origin: DVec2,
-        across: DVec2,
-        per_area: f64,
-    ) -> Option<()> {
-        let middle = -origin.dot(across);
+    fn add_whole(&mut self, halves: [DVec2; 2], line: &CenterLine, per_area: f64) -> Option<()> {
+        let across = line.across();
+        let middle = -line.origin.dot(across);
         let [a, b] = halves.map(|half| half.dot(across).abs());
         let (inner, outer) = (a.min(b), a.max(b));
         let area = 2.0 * halves[0].perp_dot(halves[1]).abs();
         let density = area * per_area / (inner + outer);
         let places = [-outer, -inner, inner, outer].map(|off| middle + off);
-        for (i, densities) in [[0.0, density], [density; 2], [density, 0.0]]
+        for (i, [left, right]) in [[0.0, density], [density; 2], [density, 0.0]]
             .into_iter()
             .enumerate()
         {
             if places[i + 1] > places[i] {
-                self.push(places[i], places[i + 1], densities)?;
+                let mean = 0.5 * (left + right);
+                self.push([places[i], places[i + 1]], mean, right - left)?;
             }
         }
         Some(())
     }
 
-    fn add_region(
-        &mut self,
-        region: &Region,
-        origin: DVec2,
-        across: DVec2,
-        per_area: f64,
-    ) -> Option<()> {
-        // Corners by place across and height along, which turns a counter-clockwise polygon clockwise.
+    fn add_region(&mut self, region: &Region, line: &CenterLine, per_area: f64) -> Option<()> {
+        // Corners by place across and along, counter-clockwise.
         let count = region.corners().len();
         let mut corners = [DVec2::ZERO; MOST_CORNERS];
         let mut leftmost = 0;
         for (i, corner) in region.corners().iter().enumerate() {
-            corners[i] = DVec2::new((*corner - origin).dot(across), corner.perp_dot(across));
+            corners[i] = line.place(*corner);
             leftmost = if corners[i].x < corners[leftmost].x {
                 i
             } else {
                 leftmost
             };
         }
-        // From there to the right along the upper and the lower side at once, from corner to corner.
-        let (mut upper, mut lower) = (leftmost, leftmost);
-        let (mut from, mut chord) = (corners[leftmost].x, 0.0);
+        // From there to the right along the lower and the upper side at once, from corner to corner.
+        let (mut lower, mut upper) = (leftmost, leftmost);
+        let (mut from, mut heights) = (corners[leftmost].x, [corners[leftmost].y; 2]);
         for _ in 1..count {
-            let next_upper = if upper + 1 == count { 0 } else { upper + 1 };
-            let next_lower = if lower == 0 { count - 1 } else { lower - 1 };
-            let [above, below] = [corners[next_upper], corners[next_lower]];
+            let next_lower = if lower + 1 == count { 0 } else { lower + 1 };
+            let next_upper = if upper == 0 { count - 1 } else { upper - 1 };
+            let [below, above] = [corners[next_lower], corners[next_upper]];
             let upper_first = above.x <= below.x;
             let to = if upper_first { above.x } else { below.x };
             let there = match upper_first {
-                true => above.y - height_at([corners[lower], below], to),
-                false => height_at([corners[upper], above], to) - below.y,
+                true => [height_at([corners[lower], below], to), above.y],
+                false => [below.y, height_at([corners[upper], above], to)],
             };
             if to > from {
-                let densities = [chord, there].map(|chord: f64| chord.max(0.0) * per_area);
-                self.push(from, to, densities)?;
+                // What lies beside the run is told apart: the density bends there.
+                for edge in line.edges_between(from, to) {
+                    let share = (edge - from) / (to - from);
+                    let at_edge = [0, 1].map(|i| heights[i] + (there[i] - heights[i]) * share);
+                    self.add_part([from, edge], [heights, at_edge], line, per_area)?;
+                    (from, heights) = (edge, at_edge);
+                }
+                self.add_part([from, to], [heights, there], line, per_area)?;
                 from = to;
             }
-            chord = there;
-            (upper, lower) = match upper_first {
-                true => (next_upper, lower),
-                false => (upper, next_lower),
+            heights = there;
+            (lower, upper) = match upper_first {
+                true => (lower, next_upper),
+                false => (next_lower, upper),
             };
         }
         Some(())
+    }
+
+    /// What lies between two places across, and between heights that change evenly from one to the other.
+    fn add_part(
+        &mut self,
+        [from, to]: [f64; 2],
+        [heights, there]: [[f64; 2]; 2],
+        line: &CenterLine,
+        per_area: f64,
+    ) -> Option<()> {
+        let density = |heights: [f64; 2]| line.span(heights).max(0.0) * per_area;
+        let [left, right] = [heights, there].map(density);
+        if line.is_even() {
+            return self.push([from, to], 0.5 * (left + right), right - left);
+        }
+        let half = 0.5 * (from + to);
+        let inner = [0, 1].map(|i| 0.5 * (heights[i] + there[i]));
+        let mean = |places: [f64; 2], heights| {
+            let area = line.area(places, heights).max(0.0);
+            area * per_area / (places[1] - places[0])
+        };
+        let middle = density(inner);
+        let means = [
+            mean([from, half], [heights, inner]),
+            mean([half, to], [inner, there]),
+        ];
+        let (all, rise) = (0.5 * (means[0] + means[1]), right - left);
+        let off = (to - from) * (left - 2.0 * middle + right).abs();
+        let bend = (off / MOST_BEND - 1.0).clamp(0.0, 1.0);
+        if bend == 0.0 {
+            return self.push([from, to], all, rise);
+        }
+        let bent = |straight: f64, curved: f64| straight + (curved - straight) * bend;
+        let rises = [middle - left, right - middle].map(|curved| bent(0.5 * rise, curved));
+        self.push([from, half], bent(all - 0.25 * rise, means[0]), rises[0])?;
+        self.push([half, to], bent(all + 0.25 * rise, means[1]), rises[1])
     }
 
     /// The same density everywhere, for a pixel that covers `window` of the plane and all relief within it:
@@ -222,22 +254,22 @@ impl Densities {
     pub(crate) fn add_uniform(&mut self, window: [f32; 2]) -> Option<Weight> {
         let density = 1.0 / f64::from(window[1] - window[0]);
         let first = self.used;
-        self.push(-1e6, 1e6, [density; 2])?;
+        self.push([-1e6, 1e6], density, 0.0)?;
         Some(Weight {
             window,
             ..self.weight_from(first)
         })
     }
 
-    fn push(&mut self, from: f64, to: f64, [left, right]: [f64; 2]) -> Option<()> {
-        let mean = 0.5 * (left + right);
+    /// A piece with this mean density, which rises by so much on the way.
+    fn push(&mut self, [from, to]: [f64; 2], mean: f64, rise: f64) -> Option<()> {
         if mean > 0.0 {
             let weight = mean * (to - from);
             *self.pieces.get_mut(self.used as usize)? = Piece {
                 from: single(from),
                 to: single(to),
                 weight: single(weight),
-                skew: single(right / mean - 1.0),
+                skew: single((0.5 * rise / mean).clamp(-1.0, 1.0)),
             };
             self.used += 1;
         }
@@ -378,7 +410,8 @@ mod tests {
             let across = DVec2::from_angle(degrees.to_radians());
             let mut densities = Densities::EMPTY;
             let origin = DVec2::new(0.1, -0.2);
-            let weight = densities.add_regions(&[part], origin, across, pixel.area());
+            let line = CenterLine::even(origin, across.perp());
+            let weight = densities.add_regions(&[part], &line, pixel.area());
             let all = densities.between(&weight.unwrap(), -10.0, 10.0);
             let share = single(part.area() / pixel.area());
             assert!(
@@ -402,7 +435,8 @@ mod tests {
             for degrees in [0.0_f64, 17.0, 45.0, 90.0, 133.0, 201.0] {
                 let across = DVec2::from_angle(degrees.to_radians());
                 let (mut densities, origin) = (Densities::EMPTY, DVec2::new(0.1, -0.2));
-                let weight = densities.add_regions(&[pixel], origin, across, pixel.area());
+                let line = CenterLine::even(origin, across.perp());
+                let weight = densities.add_regions(&[pixel], &line, pixel.area());
                 let weight = weight.unwrap();
                 for place in (-30..30).map(|i| f64::from(i) * 0.013) {
                     let side = pixel.clipped(origin + across * place, -across);
@@ -415,6 +449,46 @@ mod tests {
         }
     }
 
+    /// Across a run that tapers, what lies between its centre line and any line that leads to where it would end weighs the share
+    /// of the points of the pixel that lie there.
+    #[test]
+    fn points_of_a_tapering_run_weigh_their_share() {
+        const SIDE: u32 = 500;
+        let pixel = Region::parallelogram(DVec2::new(0.3, 0.04), DVec2::new(-0.02, 0.15));
+        let cut = pixel.clipped(DVec2::new(0.03, 0.0), DVec2::new(0.9, 0.3));
+        let share = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE) - 0.5;
+        let points = (0..SIDE * SIDE).map(|i| {
+            share(i % SIDE) * DVec2::new(0.3, 0.04) + share(i / SIDE) * DVec2::new(-0.02, 0.15)
+        });
+        let points: Vec<DVec2> = points.collect();
+        for (region, taper) in [(pixel, 1.7), (pixel, -1.9), (cut.unwrap(), 1.9)] {
+            for degrees in [0.0_f64, 17.0, 45.0, 90.0, 133.0, 201.0] {
+                let travel = DVec2::from_angle(degrees.to_radians());
+                let origin = DVec2::new(0.03, -0.02);
+                let line = CenterLine::even(origin, travel).tapering(taper, [-0.05, 0.04], &region);
+                let mut densities = Densities::EMPTY;
+                let weight = densities.add_regions(&[region], &line, pixel.area());
+                let weight = weight.unwrap();
+                let across = |point: &DVec2| {
+                    let off = *point - origin;
+                    travel.perp_dot(-off) / (1.0 + taper * travel.dot(off))
+                };
+                let inside = points.iter().filter(|point| region.holds(**point));
+                let mut all: Vec<f64> = inside.map(across).collect();
+                all.sort_unstable_by(f64::total_cmp);
+                for place in (-30..30).map(|i| f64::from(i) * 0.013) {
+                    let before = all.partition_point(|x| *x < place);
+                    let truth = before as f64 / f64::from(SIDE * SIDE);
+                    let ours = f64::from(densities.between(&weight, -10.0, single(place)));
+                    assert!(
+                        (ours - truth).abs() < 3e-3,
+                        "{taper}, {degrees}, {place}: {ours} against {truth}"
+                    );
+                }
+            }
+        }
+    }
+
     /// What strips leave of a pixel weighs, up to any place across, the strips' shares of what lay in them before.
     #[test]
     fn strips_weigh_what_is_left() {
@@ -422,13 +496,11 @@ mod tests {
         let (low, step, shares) = (-0.03, 0.01, [1.0, 0.3, 0.3, 0.0, 0.5, 0.7, 0.9, 0.2]);
         let left = Left::new([low, step], shares, [1.0; 8]);
         for degrees in [0.0_f64, 17.0, 45.0, 133.0] {
-            let (across, origin) = (
-                DVec2::from_angle(degrees.to_radians()),
-                DVec2::new(0.01, 0.02),
-            );
+            let travel = DVec2::from_angle(degrees.to_radians()).perp();
+            let line = CenterLine::even(DVec2::new(0.01, 0.02), travel);
             let mut densities = Densities::EMPTY;
             let mut add = |left: &Left| {
-                let weight = densities.add_left(&[pixel], left, origin, across, pixel.area());
+                let weight = densities.add_left(&[pixel], left, &line, pixel.area());
                 weight.unwrap()
             };
             let [whole, cut] = [Left::even(1.0), left].map(|left| add(&left));
@@ -460,7 +532,8 @@ mod tests {
             let far = DVec2::new(-37.0, 5.0);
             let mut densities = Densities::EMPTY;
             let across = DVec2::from_angle(0.3);
-            let weight = densities.add_regions(&[pixel], far, across, pixel.area());
+            let line = CenterLine::even(far, across.perp());
+            let weight = densities.add_regions(&[pixel], &line, pixel.area());
             let all = densities.between(&weight.unwrap(), -100.0, 100.0);
             assert!((all - 1.0).abs() < 1e-6, "{size}: {all}");
         }
@@ -471,7 +544,8 @@ mod tests {
     fn box_is_linear() {
         let pixel = Region::parallelogram(DVec2::new(2.0, 0.0), DVec2::new(0.0, 5.0));
         let mut densities = Densities::EMPTY;
-        let weight = densities.add_regions(&[pixel], DVec2::ZERO, DVec2::X, pixel.area());
+        let line = CenterLine::even(DVec2::ZERO, DVec2::Y);
+        let weight = densities.add_regions(&[pixel], &line, pixel.area());
         let between = |from, to| densities.between(&weight.unwrap(), from, to);
         assert!((between(-1.0, 0.5) - 0.75).abs() < 1e-6, "not linear");
         assert_eq!(between(0.5, -1.0), 0.0, "swapped");

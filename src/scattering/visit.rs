@@ -271,7 +271,7 @@ impl Zones {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::Region;
+    use crate::pattern::{CenterLine, Region};
     use glam::{DVec2, Vec2};
     use rand::rngs::StdRng;
     use rand::{Rng, SeedableRng};
@@ -292,7 +292,8 @@ mod tests {
         );
         let origin = DVec2::new(random.random_range(-3.0..1.0), 0.0);
         let densities = &mut zones.densities;
-        let weight = densities.add_regions(&[pixel], origin, DVec2::X, pixel.area())?;
+        let line = CenterLine::even(origin, DVec2::Y);
+        let weight = densities.add_regions(&[pixel], &line, pixel.area())?;
         let vertices = zones.place_points(&points, &vec![0; points.len()]);
         let relief = zones.prepare(vertices, Vec2::X, weight, view)?;
         Some((zones, relief))

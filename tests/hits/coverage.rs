@@ -70,37 +70,64 @@ fn tangle() -> Pattern {
 /// scratch are one hit.
 #[test]
 fn coverage_is_the_share_of_points() {
-    const SIDE: u32 = 120;
     let pattern = tangle();
     for (center_mm, side_mm) in [([0.0, 0.1], 1.0), ([0.3, 0.9], 1.0), ([0.05, -0.2], 0.5)] {
-        let center = DVec2::splat(0.5) + DVec2::from(center_mm) / SHEET_MM;
-        let (dx, dy) = (
-            side_mm * DVec2::new(0.9, 0.2),
-            side_mm * DVec2::new(-0.3, 0.8),
-        );
-        let mut shares = [0.0; 3];
-        for (i, j) in (0..SIDE).flat_map(|i| (0..SIDE).map(move |j| (i, j))) {
-            let [a, b] = [i, j].map(|i| (f64::from(i) + 0.5) / f64::from(SIDE) - 0.5);
-            for hit in hits(&pattern, &there(center + (a * dx + b * dy) / SHEET_MM)) {
-                shares[hit.scratch as usize] += f64::from(hit.coverage) / f64::from(SIDE * SIDE);
-            }
+        assert_covers_its_points(&pattern, center_mm, side_mm);
+    }
+}
+
+/// So it is where scratches set in and run out.
+#[test]
+fn tips_cover_their_points() {
+    let lines = [
+        Line::Straight(&[[0.0, 0.0], [1.2, 0.3]]),
+        Line::Curve(&[[0.1, 0.4], [0.2, 0.3], [0.1, 0.1], [0.3, -0.3]]),
+    ];
+    let forces = [(0.0, 0.0), (0.3, 1.5), (0.6, 1.5), (1.0, 0.0)];
+    let keys = forces.map(|(at, force_kgf)| Key::force(at, force_kgf));
+    let pattern = pattern(&dark_sheet(), &lines, &keys);
+    for center_mm in [
+        [0.0, 0.0],
+        [0.1, 0.03],
+        [0.2, 0.07],
+        [1.1, 0.27],
+        [0.12, 0.3],
+    ] {
+        for side_mm in [0.03, 0.1, 0.3] {
+            assert_covers_its_points(&pattern, center_mm, side_mm);
         }
-        let hits = hits(&pattern, &pixel(center, dx, dy));
-        println!("{center_mm:?}, {side_mm} mm: {shares:?} by points, {hits:?}");
+    }
+}
+
+fn assert_covers_its_points(pattern: &Pattern, center_mm: [f64; 2], side_mm: f64) {
+    const SIDE: u32 = 120;
+    let center = DVec2::splat(0.5) + DVec2::from(center_mm) / SHEET_MM;
+    let (dx, dy) = (
+        side_mm * DVec2::new(0.9, 0.2),
+        side_mm * DVec2::new(-0.3, 0.8),
+    );
+    let mut shares = [0.0; 3];
+    for (i, j) in (0..SIDE).flat_map(|i| (0..SIDE).map(move |j| (i, j))) {
+        let [a, b] = [i, j].map(|i| (f64::from(i) + 0.5) / f64::from(SIDE) - 0.5);
+        for hit in hits(pattern, &there(center + (a * dx + b * dy) / SHEET_MM)) {
+            shares[hit.scratch as usize] += f64::from(hit.coverage) / f64::from(SIDE * SIDE);
+        }
+    }
+    let hits = hits(pattern, &pixel(center, dx, dy));
+    println!("{center_mm:?}, {side_mm} mm: {shares:?} by points, {hits:?}");
+    assert!(
+        hits.windows(2)
+            .all(|pair| pair[0].coverage >= pair[1].coverage),
+        "order"
+    );
+    for (i, share) in shares.into_iter().enumerate() {
+        let mut own = hits.iter().filter(|hit| hit.scratch as usize == i);
+        let coverage = own.next().map_or(0.0, |hit| f64::from(hit.coverage));
         assert!(
-            hits.windows(2)
-                .all(|pair| pair[0].coverage >= pair[1].coverage),
-            "order"
+            (coverage - share).abs() < 2e-3,
+            "scratch {i}: {coverage}, by points {share}"
         );
-        for (i, share) in shares.into_iter().enumerate() {
-            let mut own = hits.iter().filter(|hit| hit.scratch as usize == i);
-            let coverage = own.next().map_or(0.0, |hit| f64::from(hit.coverage));
-            assert!(
-                (coverage - share).abs() < 2e-3,
-                "scratch {i}: {coverage}, by points {share}"
-            );
-            assert!(own.next().is_none(), "scratch {i} twice: {hits:?}");
-        }
+        assert!(own.next().is_none(), "scratch {i} twice: {hits:?}");
     }
 }
 

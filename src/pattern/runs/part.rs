@@ -4,11 +4,6 @@ use crate::pattern::course::Course;
 use crate::pattern::tracks::TrackRef;
 use glam::DVec2;
 
-/// Where a scratch sets in, one end of a run is at least this share as wide as the other, as long as that one is wider
-/// than this share of the widest.
-const LEAST_WIDENING: f64 = 0.3;
-const LEAST_WIDTH: f64 = 0.02;
-
 /// A place along a scratch, and what its course says there.
 #[derive(Clone, Copy)]
 pub(super) struct Mark {
@@ -69,14 +64,16 @@ impl Part<'_> {
     pub(super) fn change(&self, from: &Mark, to: &Mark) -> Change {
         let places = [from, to].map(|mark| self.track.locate(mark.value));
         let [a, b] = places.map(|place| self.track.half_width_of(place));
-        let worth_it = a.max(b) > LEAST_WIDTH * self.track.half_width_mm();
         let [upto_a, upto_b] = places.map(|place| self.track.change_to(place));
+        let amount = match from.next_knot == to.next_knot {
+            true => (upto_b - upto_a).abs(),
+            false => self.course.change(&self.track, from.at, to.at),
+        };
+        let way_mm = amount * self.track.half_width_mm();
         Change {
-            amount: match from.next_knot == to.next_knot {
-                true => (upto_b - upto_a).abs(),
-                false => self.course.change(&self.track, from.at, to.at),
-            },
-            sets_in: worth_it && a.min(b) < LEAST_WIDENING * a.max(b),
+            amount,
+            narrow_mm: a.min(b),
+            wide_mm: 0.5 * (a + b + way_mm),
         }
     }
 }
@@ -85,8 +82,9 @@ impl Part<'_> {
 pub(super) struct Change {
     /// All to and fro counted.
     pub amount: f64,
-    /// Whether one end is much wider than the other, as where a scratch sets in.
-    pub sets_in: bool,
+    /// How far it reaches at the narrower end, and at most on the way.
+    pub narrow_mm: f64,
+    pub wide_mm: f64,
 }
 
 /// Neighbouring parts that run nearly straight: one frame, one cross-section.
@@ -123,6 +121,11 @@ impl<'a, 'p> Run<'a, 'p> {
     /// Whether it has one cross-section.
     pub(super) fn is_even(&self) -> bool {
         self.first.is_even(&self.first.ends[0], &self.last.mark)
+    }
+
+    /// From its first point to its last, mm.
+    pub(super) fn length(&self) -> f64 {
+        (self.last.end - self.first.control[0]).length()
     }
 
     /// Shares of the path's arc length at its ends.

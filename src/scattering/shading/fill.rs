@@ -218,17 +218,15 @@ impl Shading {
         if self.relief_count as usize == MOST_RELIEFS || !self.zones.has_room(hit.most_vertices()) {
             return None;
         }
-        let across = hit.across();
         let densities = &mut self.zones.densities;
-        let weight = densities.add_left(parts, left, hit.origin, across, area_mm2)?;
+        let weight = densities.add_left(parts, left, &hit.line, area_mm2)?;
         let mut numbers = [0; MOST_LAYERS + 1];
         for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
             *number = self.zones.finish(&pattern.hosts.found(&finish));
         }
         let vertices = self.zones.place(hit, &numbers);
-        let prepared = self
-            .zones
-            .prepare(vertices, across.as_vec2(), weight, self.view);
+        let across = hit.line.across().as_vec2();
+        let prepared = self.zones.prepare(vertices, across, weight, self.view);
         if let Some(mut relief) = prepared {
             relief.gain = gain;
             self.reliefs[self.relief_count as usize] = relief;
