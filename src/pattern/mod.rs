@@ -45,6 +45,7 @@ mod seen;
 mod spline;
 mod store;
 mod strip;
+mod strips;
 mod sums;
 mod surface;
 mod track;
@@ -52,7 +53,7 @@ mod tracks;
 
 pub use builder::PatternBuilder;
 pub(crate) use crossings::Crossing;
-pub(crate) use crowd::Crowd;
+pub(crate) use crowd::{Crowd, NearCrowd};
 #[cfg(feature = "svg")]
 pub(crate) use generator::tapered;
 pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes, Style};
@@ -61,7 +62,7 @@ pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
 pub(crate) use lines::Left;
 pub use mesh::{MeshRegion, MeshZone, ReliefMesh};
-pub(crate) use palette::MOST_CLASS_VERTICES;
+pub(crate) use palette::{MOST_CLASS_VERTICES, MOST_CLASSES};
 pub use path::{Curve, Path};
 pub use pattern::{Pattern, PatternMemory};
 pub(crate) use point::Metric;
@@ -72,5 +73,6 @@ pub use scratch::{Held, Key, Scratch};
 #[cfg(feature = "files")]
 pub(crate) use sections::{FACTS, SECTIONS, Section, Sections};
 pub use spline::{Spline, SplineKind};
+pub(crate) use strips::{STRIPS, Strips};
 pub use surface::Surface;
 pub(crate) use track::MOST_VERTICES;

@@ -9,7 +9,7 @@ use glam::DVec2;
 
 /// Pieces of density that a shading point holds for all its scratches together: three for each that crosses the
 /// pixel, more where others cross it.
-pub(crate) const MOST_DENSITIES: usize = 87;
+pub(crate) const MOST_DENSITIES: usize = 86;
 
 /// A place is found by so many halvings.
 const HALVINGS: u32 = 20;
