@@ -97,8 +97,7 @@ impl Shading {
         )
     }
 
-    /// In what share of the pixel a viewer sees all flocks: facets by their strips, what is hidden beside them by all. And the
-    /// share that they cover.
+    /// In what share of the pixel a viewer sees all flocks, and what share they cover.
     pub(super) fn seen_of_flocks(&self, from: Vec3) -> [f32; 2] {
         if self.flocks.is_empty() {
             return [0.0; 2];
@@ -116,9 +115,8 @@ impl Shading {
             for first in flocks.clone().step_by(L::WIDTH) {
                 let flocks = self.flocks.abreast(lanes, first..flocks.end);
                 let view = Slope::of(lanes, &turned_each(from, flocks.across));
-                let ([from, to], [all, own]) =
-                    section.see(lanes, &view, &flocks.strips, &mut widths);
-                seen = seen + flocks.share.times_plus(to - from - all, own);
+                let (_, [own, _]) = section.see(lanes, &view, &flocks.strips, &mut widths);
+                seen = seen + own;
                 shares = shares + flocks.share;
             }
         }
@@ -150,15 +148,14 @@ impl Shading {
         sums: &mut [Reflected<L::F>],
     ) {
         let view = Slope::of(lanes, &turned_each(self.view, flocks.across));
-        let (seen_flat, [all, seen]) = section.see(lanes, &view, &flocks.strips, widths);
+        let (seen_flat, [hidden, seen]) = section.see(lanes, &view, &flocks.strips, widths);
         let shown = flocks.shown / seen.max(lanes.all(f32::MIN_POSITIVE));
         for (light, sums) in lights.iter().zip(sums) {
             let pair = light.pair.turned_each(flocks.across);
             let slope = Slope::of(lanes, &pair.light);
             let [from, to] = section.light(lanes, &slope, &view, seen_flat, widths);
-            // What is hidden beside all that is seen lies in shadow.
-            let taken = flocks.share.times_plus(to - from - all, seen);
-            sums.taken = sums.taken + taken;
+            let shadow = (to - from) - (seen_flat[1] - seen_flat[0]);
+            sums.taken = flocks.share.times_plus(shadow, sums.taken + hidden);
             self.add_lobes(lanes, section, &pair, &widths.lit, sums);
             if let Some(below) = &light.below {
                 let below = below.turned_each(flocks.across);

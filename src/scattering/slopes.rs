@@ -183,7 +183,7 @@ impl Section<'_> {
     }
 
     /// Finds what the viewer sees of flocks whose strips would cover so much of the pixel if all were like them; returns from
-    /// where to where the flat surface is hidden, how wide all that is seen is, and what of the pixel it is.
+    /// where to where the flat surface is hidden, what of the pixel that is, and what all facets are that are seen.
     #[inline(always)]
     pub(super) fn see<L: Lanes>(
         &self,
@@ -211,7 +211,10 @@ impl Section<'_> {
             shown = shown + widths.shown[k];
         }
         let ends = [lanes.all(-0.5), lanes.all(0.5)];
-        (view.flat_ends(horizons, ends), [all, shown])
+        let [from, to] = view.flat_ends(horizons, ends);
+        // Where its ends stand up, facets look wider or narrower together than what they hide.
+        let hidden = (to - from) / all.max(lanes.all(f32::MIN_POSITIVE)) * shown;
+        ([from, to], [hidden, shown])
     }
 
     /// Finds what of that is lit; returns from where to where the flat surface is hidden or dark.

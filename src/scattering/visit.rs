@@ -272,7 +272,10 @@ impl Zones {
             }
         }
         let [from, to] = light.flat_ends(horizon, seen_flat);
-        covered + flock.share * (to - from - all)
+        // Where its ends stand up, facets look wider or narrower together than what they hide.
+        let width = seen_flat[1] - seen_flat[0];
+        let hidden = width / all.max(f32::MIN_POSITIVE) * covered;
+        hidden + flock.share * (to - from - width)
     }
 }
 

@@ -129,7 +129,7 @@ mod tests {
             assert!(off <= 1.3e-4 * wanted + 2e-9, "{wanted} is off by {off}");
             let wanted = Vec2::from_angle(TAU * part);
             let found = Vec2::from(unpacked_across(across(wanted)));
-            let off = found.angle_to(wanted).abs();
+            let off = found.normalize().perp_dot(wanted).abs();
             assert!(off < 1e-4, "{wanted} is off by {off}");
         }
     }
