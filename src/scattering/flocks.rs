@@ -80,7 +80,7 @@ impl Over {
     #[inline(always)]
     pub(super) fn of(ends: [f32; 2]) -> Self {
         let [from, to] = ends.map(|x| (x + 0.5) * STRIPS as f32);
-        let ends @ [first, last] = [from, to].map(|place| strip_at(place));
+        let ends @ [first, last] = [from, to].map(strip_at);
         let each = 1.0 / (to - from);
         let shares = match first < last {
             true => [f32::from(first + 1) - from, to - f32::from(last), 1.0].map(|at| at * each),
