@@ -8,6 +8,7 @@ use super::palette::MOST_CLASSES;
 use super::query::Reach;
 use super::raster::cell_number;
 use super::reader::{Reader, Recent};
+use super::strips::{EVEN, STRIPS, Strips, shares};
 use super::tracks::TrackRef;
 use crate::single;
 use core::f32::consts::{FRAC_PI_2, TAU};
@@ -77,9 +78,10 @@ impl Reader<'_> {
     ) {
         let pattern = self.pattern;
         let curves = pattern.curves();
+        let widest_mm = f64::from(pattern.extent.half_width_mm);
         let is_beside = |reach: &Reach<'_>| {
             let control = curves.control(number).map(|uv| reach.place(uv));
-            reach.footprint.is_beside(&control)
+            reach.footprint.is_beside(&control, widest_mm)
         };
         if within.is_some_and(is_beside) {
             return;
@@ -191,25 +193,38 @@ impl Pattern {
 impl Chord<'_> {
     /// Scratched area between two shares of the chord, less what later scratches take of it on average.
     pub(super) fn areas(&self, stretch: [f64; 2]) -> ClassAreas {
-        self.areas_left(stretch, |_, mean| mean)
+        let part = single(stretch[1] - stretch[0]);
+        match &self.held {
+            Held::Way(..) => self.areas_left(stretch, |mean| [mean * part; STRIPS]).0,
+            Held::Sector(areas) => areas.map(|area| area * part),
+        }
     }
 
-    /// The same, less what `left` says: it is asked for the share that is left of so wide a strip (mm), and told that of
-    /// the average. What is left of caps is the average.
+    /// Scratched area of the cross-sections between two shares of the chord, less what later scratches take, and what share of
+    /// it the strips across have: `left` is told the share that is left of the average, and says what of the chord is left of each
+    /// strip. What is left of caps is the average.
     pub(super) fn areas_left(
         &self,
-        [from, to]: [f64; 2],
-        left: impl FnOnce(f64, f64) -> f64,
-    ) -> ClassAreas {
+        stretch: [f64; 2],
+        left: impl FnOnce(f32) -> Strips,
+    ) -> (ClassAreas, Strips) {
         match &self.held {
             &Held::Way(length_mm, [first, last], span, visible) => {
-                let t = [from, to].map(|share| first + share * (last - first));
-                let per_mm = span.per_mm(t);
-                let left = left(per_mm.iter().sum::<f32>().into(), visible.mean(t));
-                let length_mm = single(length_mm * (to - from) * left);
-                per_mm.map(|area| area * length_mm)
+                let t = stretch.map(|share| first + share * (last - first));
+                let left = left(single(visible.mean(t)));
+                let all = left.iter().sum::<f32>() / STRIPS as f32;
+                let length_mm = single(length_mm) * all;
+                (span.per_mm(t).map(|area| area * length_mm), shares(left))
             }
-            Held::Sector(areas) => areas.map(|area| area * single(to - from)),
+            Held::Sector(areas) => (*areas, EVEN),
+        }
+    }
+
+    /// How wide it is on average; a cap's sector has none.
+    pub(super) fn width_mm(&self) -> f64 {
+        match &self.held {
+            &Held::Way(_, t, span, _) => span.per_mm(t).iter().sum::<f32>().into(),
+            Held::Sector(_) => 0.0,
         }
     }
 }

@@ -4,6 +4,7 @@
 use super::chords::ClassAreas;
 use super::palette::{MOST_CLASSES, Palette};
 use super::raster::cell_number;
+use super::strips::{STRIPS, Strips, shares};
 use bytemuck::{Pod, Zeroable};
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 use glam::DVec2;
@@ -18,12 +19,14 @@ const KEYS: usize = MOST_CLASSES * DIRECTIONS;
 
 const STEP_RAD: f64 = core::f64::consts::TAU / DIRECTIONS as f64;
 
-/// Scratched area by class and direction of travel.
+/// Scratched area by class and direction of travel; of one that is told by `BY` = [`STRIPS`] strips across, of each strip.
 #[derive(Clone, Debug)]
-pub(crate) struct Crowd {
+pub(crate) struct Crowd<const BY: usize> {
     /// Per key: area, mm² in the pattern's own scale, and area times the place within the direction's step
     /// (-1/2 to 1/2).
     sums: [[f32; 2]; KEYS],
+    /// What of the area each strip has.
+    strips: [[f32; BY]; KEYS],
     /// Bits of the keys that have any, class by class: there are few of many.
     held: [u64; MOST_CLASSES],
     /// How many scratches these are; of prefiltered cells, how many entries.
@@ -43,22 +46,44 @@ pub(crate) struct Flock {
     pub travel: DVec2,
     /// mm² in the pattern's own scale.
     pub area_mm2: f64,
+    /// What share of it each strip across has.
+    pub strips: Strips,
 }
 
-impl Crowd {
-    pub(crate) const fn new() -> Self {
-        Self {
-            sums: [[0.0; 2]; KEYS],
-            held: [0; MOST_CLASSES],
-            count: 0,
-        }
-    }
+/// Where scratches are told apart, be it only to be added up.
+pub(crate) type NearCrowd = Crowd<STRIPS>;
 
-    /// Adds scratched areas that travel one way.
-    pub(super) fn add(&mut self, palette: &Palette, areas: ClassAreas, heading: Heading) {
+/// Of prefiltered cells: all strips have as much.
+pub(crate) type FarCrowd = Crowd<0>;
+
+impl NearCrowd {
+    /// Adds scratched areas that travel one way, of which strips across have these shares.
+    pub(super) fn add(
+        &mut self,
+        palette: &Palette,
+        areas: ClassAreas,
+        heading: Heading,
+        strips: &Strips,
+    ) {
         let is_symmetric = |class| palette.is_symmetric(class);
         for (key, area_mm2, place) in keys(areas, heading, is_symmetric) {
             self.add_to(key, area_mm2, area_mm2 * place);
+            let turned = heading.direction != key % DIRECTIONS;
+            let sums = &mut self.strips[key];
+            for (i, share) in strips.iter().enumerate() {
+                sums[if turned { STRIPS - 1 - i } else { i }] += area_mm2 * share;
+            }
+        }
+    }
+}
+
+impl<const BY: usize> Crowd<BY> {
+    pub(crate) const fn new() -> Self {
+        Self {
+            sums: [[0.0; 2]; KEYS],
+            strips: [[0.0; BY]; KEYS],
+            held: [0; MOST_CLASSES],
+            count: 0,
         }
     }
 
@@ -97,8 +122,13 @@ impl Crowd {
     pub(crate) fn flocks(&self, coarser: usize) -> impl Iterator<Item = Flock> {
         self.groups(coarser).filter_map(move |(class, first)| {
             let (mut area, mut angle) = (0.0, 0.0);
+            let mut strips = Strips::default();
             for direction in first..first + coarser {
-                let [own, moment] = self.sums[class * DIRECTIONS + direction].map(f64::from);
+                let key = class * DIRECTIONS + direction;
+                let [own, moment] = self.sums[key].map(f64::from);
+                for (sum, strip) in strips.iter_mut().zip(&self.strips[key]) {
+                    *sum += strip;
+                }
                 area += own;
                 angle += own * direction as f64 + 0.5 * own + moment;
             }
@@ -106,6 +136,7 @@ impl Crowd {
                 class,
                 travel: DVec2::from_angle(angle / area * STEP_RAD),
                 area_mm2: area,
+                strips: shares(strips),
             })
         })
     }
@@ -217,20 +248,21 @@ impl Packed {
 mod tests {
     use super::*;
     use crate::pattern::chords::add_shares;
+    use crate::pattern::strips::EVEN;
 
     /// Packing keeps class, direction and area; nothing is lost on the way through a cell.
     #[test]
     fn packing_keeps_what_matters() {
         let palette = Palette::default();
-        let mut crowd = Crowd::new();
+        let mut crowd = NearCrowd::new();
         for (i, degrees) in [0.0, 13.0, 90.0, 181.0, 359.9].into_iter().enumerate() {
             let travel = DVec2::from_angle(f64::to_radians(degrees));
             let mut areas = ClassAreas::default();
             add_shares(&mut areas, &[(i, 0.25), (5, 0.75)], 3.7e-4);
-            crowd.add(&palette, areas, Heading::of(travel));
+            crowd.add(&palette, areas, Heading::of(travel), &EVEN);
         }
         let packed: Vec<Packed> = crowd.packed().collect();
-        let mut again = Crowd::new();
+        let mut again = FarCrowd::new();
         again.add_packed(&packed, 0.5);
         for (a, b) in crowd.flocks(1).zip(again.flocks(1)) {
             assert_eq!(a.class, b.class, "class");
@@ -242,5 +274,34 @@ mod tests {
             again.flocks(1).count(),
             "lost some"
         );
+    }
+
+    /// Strips keep to their side of a cross-section whichever way it travels, also where to and fro are one: flocks cover as
+    /// much of each place as was added.
+    #[test]
+    fn strips_keep_their_side() {
+        let palette = crate::pattern::palette::symmetric();
+        assert!(palette.is_symmetric(0), "to and fro are not one");
+        let left: Strips = [8.0, 4.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.0].map(|strip| strip / 15.0);
+        let mut right = left;
+        right.reverse();
+        let mut areas = ClassAreas::default();
+        add_shares(&mut areas, &[(0, 1.0)], 0.5);
+        for degrees in [10.0_f64, 100.0, 190.0, 280.0] {
+            let travel = DVec2::from_angle(degrees.to_radians());
+            let mut crowd = NearCrowd::new();
+            crowd.add(&palette, areas, Heading::of(travel), &left);
+            crowd.add(&palette, areas, Heading::of(-travel), &right);
+            let flocks: Vec<Flock> = crowd.flocks(1).collect();
+            assert_eq!(flocks.len(), 1, "{flocks:?}");
+            let wanted = if flocks[0].travel.dot(travel) > 0.0 {
+                left
+            } else {
+                right
+            };
+            for (found, wanted) in flocks[0].strips.iter().zip(wanted) {
+                assert!((found - wanted).abs() < 1e-6, "{degrees}: {flocks:?}");
+            }
+        }
     }
 }

@@ -1,10 +1,12 @@
-//! What of a strip later ones cover within a footprint that holds many: each by its own area, all independently of one
-//! another.
+//! What of a scratch later ones cover within a footprint that holds many, line by line along it: exactly where one does, and as
+//! if independently of one another where several meet in the same part of a line.
 
+use super::region::Region;
+use super::strips::{STRIPS, Strips};
 use crate::lanes::{Lanes, Number, in_lanes};
 use crate::single;
 use arrayvec::ArrayVec;
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 
 /// Strips that lie side by side in memory.
 const EIGHT: usize = 8;
@@ -12,11 +14,11 @@ const EIGHT: usize = 8;
 /// Eights of strips that are remembered: what lies under more of them is covered as it is on average.
 const MOST_EIGHTS: usize = 96;
 
+/// Parts of a line, in each of which what covers it does so independently.
+const PARTS: usize = 4;
+
 /// Slopes are no less than this, so that parallel lines have a ratio.
 const LEAST: f32 = 1e-15;
-
-/// Strips whose distance changes by less than this share of their width run side by side.
-const SIDE_BY_SIDE: f32 = 0.05;
 
 /// Numbers of a strip.
 #[derive(Clone, Copy)]
@@ -51,27 +53,16 @@ impl Laid {
         }
     }
 
-    /// Lays a straight strip, so wide, under all that were laid before; the share that they leave of its way between two
-    /// shares of it. Nothing if there is no room.
-    pub(super) fn lay_under(
-        &mut self,
-        ends: [DVec2; 2],
-        [from, to]: [f64; 2],
-        width_mm: f64,
-    ) -> Option<f64> {
-        let [start, end] = ends;
-        let left = self.left_of([start.lerp(end, from), start.lerp(end, to)], width_mm);
-        self.lay(ends, width_mm).then_some(left)
+    /// What all strips leave of each line of a way, as a share of all of the chord.
+    pub(super) fn left_of(&self, way: &Way) -> Strips {
+        let lines = Lines::of(way);
+        let left = in_lanes!(lanes => lines.left(lanes, &self.eights));
+        core::array::from_fn(|i| left[i] * single(way.to[i] - way.from[i]))
     }
 
-    /// The share that the strips leave of a way so wide.
-    pub(super) fn left_of(&self, way: [DVec2; 2], width_mm: f64) -> f64 {
-        let half_width = single(0.5 * width_mm).max(LEAST);
-        in_lanes!(lanes => left_of(lanes, &self.eights, way, half_width)).into()
-    }
-
-    /// Lays a strip under the others; false if there is no room.
-    pub(super) fn lay(&mut self, [start, end]: [DVec2; 2], width_mm: f64) -> bool {
+    /// Lays a chord under the others; false if there is no room.
+    pub(super) fn lay(&mut self, way: &Way) -> bool {
+        let [start, end] = way.chord;
         let place = self.count % EIGHT;
         if place == 0 && self.eights.try_push([[0.0; EIGHT]; NUMBERS]).is_err() {
             return false;
@@ -85,7 +76,7 @@ impl Laid {
             (Of::NormalX, normal.x),
             (Of::NormalY, normal.y),
             (Of::Offset, normal.dot(start)),
-            (Of::HalfWidth, 0.5 * width_mm),
+            (Of::HalfWidth, way.half_width_mm),
             (Of::AlongX, along.x),
             (Of::AlongY, along.y),
             (Of::Start, along.dot(start)),
@@ -98,74 +89,215 @@ impl Laid {
     }
 }
 
-/// What strips leave of a way so wide.
-#[inline(always)]
-fn left_of<L: Lanes>(
-    lanes: L,
-    eights: &[[[f32; EIGHT]; NUMBERS]],
-    [from, to]: [DVec2; 2],
+/// What of a straight chord of scratch lies in a footprint: lines along it, each in the middle of its strip.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// mm.
+    chord: [DVec2; 2],
+    half_width_mm: f64,
+    /// Where each line enters and leaves the footprint, as shares of the chord; nowhere unless to > from.
+    from: [f64; STRIPS],
+    to: [f64; STRIPS],
+}
+
+impl Way {
+    /// Nothing if none of it does.
+    pub(super) fn within(footprint: &Region, chord: [DVec2; 2], width_mm: f64) -> Option<Self> {
+        let [a, b] = chord;
+        let half_width_mm = 0.5 * width_mm;
+        let across = half_width_mm * to_the_right(b - a);
+        let mut way = Self {
+            chord,
+            half_width_mm,
+            from: [0.0; STRIPS],
+            to: [1.0; STRIPS],
+        };
+        for (p, q) in footprint.edges() {
+            let edge = q - p;
+            let [at_a, at_b, beside] = [a - p, b - p, across].map(|v| edge.perp_dot(v));
+            let slope = at_b - at_a;
+            for (i, (from, to)) in way.from.iter_mut().zip(&mut way.to).enumerate() {
+                let at = at_a + beside * off_middle(i);
+                let place = -at / slope;
+                match slope {
+                    _ if slope > 0.0 => *from = from.max(place),
+                    _ if slope < 0.0 => *to = to.min(place),
+                    _ if at < 0.0 => *to = f64::NEG_INFINITY,
+                    _ => {}
+                }
+            }
+        }
+        let mut is_held = false;
+        for (from, to) in way.from.iter_mut().zip(&mut way.to) {
+            match to > from {
+                true => is_held = true,
+                false => (*from, *to) = (0.0, 0.0),
+            }
+        }
+        is_held.then_some(way)
+    }
+
+    /// From where to where any line lies in the footprint, as shares of the chord.
+    pub(super) fn stretch(&self) -> [f64; 2] {
+        let held = self
+            .from
+            .iter()
+            .zip(&self.to)
+            .filter(|(from, to)| to > from);
+        held.fold([1.0, 0.0], |[first, last], (from, to)| {
+            [from.min(first), to.max(last)]
+        })
+    }
+
+    /// What of the chord each line has in the footprint.
+    pub(super) fn whole(&self) -> Strips {
+        core::array::from_fn(|i| single(self.to[i] - self.from[i]))
+    }
+}
+
+fn to_the_right(travel: DVec2) -> DVec2 {
+    let along = travel.normalize_or(DVec2::X);
+    DVec2::new(along.y, -along.x)
+}
+
+/// Where a strip's middle is, from -1 to 1 across the scratch.
+fn off_middle(strip: usize) -> f64 {
+    (2 * strip + 1) as f64 / STRIPS as f64 - 1.0
+}
+
+/// Lines along a way, single.
+struct Lines {
+    start: Vec2,
+    /// From there to where the last one leaves the footprint.
+    way: Vec2,
+    across: Vec2,
     half_width: f32,
-) -> f32 {
-    let (way, from) = ((to - from).as_vec2(), from.as_vec2());
-    let (none, one) = (lanes.all(0.0), lanes.all(1.0));
-    let mut left = one;
-    for eight in eights {
-        for first in (0..EIGHT).step_by(L::WIDTH) {
-            let load = |number: Of| lanes.load(&eight[number as usize][first..]);
-            let (x, y) = (load(Of::AlongX), load(Of::AlongY));
-            let start = load(Of::Start) - (x * from.x + y * from.y);
-            let slope = not_nothing(lanes, x * way.x + y * way.y);
-            let (a, b) = (start / slope, (start + load(Of::Length)) / slope);
-            let enters = a.min(b).max(none).min(one);
-            let leaves = a.max(b).max(none).min(one);
-            // How far the way is beside the strip where it enters what lies between its ends, and where it leaves.
-            let (x, y) = (load(Of::NormalX), load(Of::NormalY));
-            let beside = x * from.x + y * from.y - load(Of::Offset);
-            let slope = x * way.x + y * way.y;
-            let ends = [beside + slope * enters, beside + slope * leaves];
-            let share = overlap(lanes, ends, load(Of::HalfWidth), half_width);
-            left = left * (-(share * (leaves - enters)) + 1.0);
+    /// How far each is to the right of the middle.
+    off: Strips,
+    /// Where each begins, as a share of the way, and how many of its parts are as long.
+    from: Strips,
+    parts: Strips,
+}
+
+/// How a strip lies to a way: how far beside it is the way's start, and how far behind its own start; how both change to the
+/// way's end, and from there to its right.
+struct Meeting {
+    beside: [f32; 3],
+    behind: [f32; 3],
+    half_width: f32,
+    length: f32,
+}
+
+impl Lines {
+    fn of(way: &Way) -> Self {
+        let [a, b] = way.chord;
+        let [first, last] = way.stretch();
+        let (start, end) = (a.lerp(b, first), a.lerp(b, last));
+        let share = |at: f64| (at - first) / (last - first);
+        let parts = |i: usize| PARTS as f64 / (share(way.to[i]) - share(way.from[i]));
+        let held = |i: usize| way.to[i] > way.from[i];
+        Self {
+            start: start.as_vec2(),
+            way: (end - start).as_vec2(),
+            across: to_the_right(b - a).as_vec2(),
+            half_width: single(way.half_width_mm),
+            off: core::array::from_fn(|i| single(way.half_width_mm * off_middle(i))),
+            from: core::array::from_fn(|i| single(share(way.from[i]))),
+            parts: core::array::from_fn(|i| if held(i) { single(parts(i)) } else { 0.0 }),
         }
     }
-    (0..L::WIDTH).map(|lane| left.lane(lane)).product()
+
+    /// The share of each that strips leave.
+    #[inline(always)]
+    fn left<L: Lanes>(&self, lanes: L, eights: &[[[f32; EIGHT]; NUMBERS]]) -> Strips {
+        let mut left = [[1.0; STRIPS]; PARTS];
+        for eight in eights {
+            for first in (0..EIGHT).step_by(L::WIDTH) {
+                let touches = self.touches(lanes, eight, first);
+                if !touches.any() {
+                    continue;
+                }
+                for lane in 0..L::WIDTH {
+                    if touches.lane(lane) > 0.0 {
+                        self.cut(lanes, &self.meeting(eight, first + lane), &mut left);
+                    }
+                }
+            }
+        }
+        core::array::from_fn(|i| left.iter().map(|part| part[i]).sum::<f32>() / PARTS as f32)
+    }
+
+    /// Above 0 for strips that may cover any of it.
+    #[inline(always)]
+    fn touches<L: Lanes>(&self, lanes: L, eight: &[[f32; EIGHT]; NUMBERS], first: usize) -> L::F {
+        let load = |number: Of| lanes.load(&eight[number as usize][first..]);
+        let dot = |[x, y]: [L::F; 2], v: Vec2| x * v.x + y * v.y;
+        let normal = [load(Of::NormalX), load(Of::NormalY)];
+        let from = dot(normal, self.start) - load(Of::Offset);
+        let to = from + dot(normal, self.way);
+        let near = load(Of::HalfWidth) + self.half_width;
+        let beside = (near - from.min(to)).min(near + from.max(to));
+        let along = [load(Of::AlongX), load(Of::AlongY)];
+        let from = dot(along, self.start) - load(Of::Start);
+        let to = from + dot(along, self.way);
+        let before = from.max(to) + self.half_width;
+        let behind = load(Of::Length) + self.half_width - from.min(to);
+        beside.min(before).min(behind)
+    }
+
+    #[inline(always)]
+    fn meeting(&self, eight: &[[f32; EIGHT]; NUMBERS], place: usize) -> Meeting {
+        let of = |number: Of| eight[number as usize][place];
+        let normal = Vec2::new(of(Of::NormalX), of(Of::NormalY));
+        let along = Vec2::new(of(Of::AlongX), of(Of::AlongY));
+        let seen_from = |axis: Vec2, offset: f32| {
+            [
+                axis.dot(self.start) - offset,
+                axis.dot(self.way),
+                axis.dot(self.across),
+            ]
+        };
+        Meeting {
+            beside: seen_from(normal, of(Of::Offset)),
+            behind: seen_from(along, of(Of::Start)),
+            half_width: of(Of::HalfWidth),
+            length: of(Of::Length),
+        }
+    }
+
+    /// Takes what a strip covers from what is left of parts of lines.
+    #[inline(always)]
+    fn cut<L: Lanes>(&self, lanes: L, meeting: &Meeting, left: &mut [[f32; STRIPS]; PARTS]) {
+        let (none, one) = (lanes.all(0.0), lanes.all(1.0));
+        let (half_width, length) = (meeting.half_width, meeting.length);
+        for first in (0..STRIPS).step_by(L::WIDTH) {
+            let off = lanes.load(&self.off[first..]);
+            let places = |[at, slope, right]: [f32; 3], bounds: [f32; 2]| {
+                let per_way = 1.0 / not_nothing(slope);
+                let here = off * right + at;
+                let [a, b] = bounds.map(|bound| (-here + bound) * per_way);
+                [a.min(b), a.max(b)]
+            };
+            let sides = places(meeting.beside, [-half_width, half_width]);
+            let ends = places(meeting.behind, [0.0, length]);
+            let (from, parts) = (
+                lanes.load(&self.from[first..]),
+                lanes.load(&self.parts[first..]),
+            );
+            let enters = (sides[0].max(ends[0]) - from) * parts;
+            let leaves = (sides[1].min(ends[1]) - from) * parts;
+            for (i, left) in left.iter_mut().enumerate() {
+                let within = |at: L::F| (at - i as f32).max(none).min(one);
+                let covered = (within(leaves) - within(enters)).max(none);
+                let left = &mut left[first..];
+                lanes.store(lanes.load(left) * (one - covered), left);
+            }
+        }
+    }
 }
 
-/// The share of a strip, so wide, that another one covers, on average from where their centre lines are so far apart to
-/// where they are so far apart.
-#[inline(always)]
-fn overlap<L: Lanes>(lanes: L, [from, to]: [L::F; 2], other: L::F, own: f32) -> L::F {
-    let none = lanes.all(0.0);
-    let bounds = [other + own, (other - own).max(-other + own)];
-    let [touch, _] = bounds;
-    let step = to - from;
-    let mean =
-        (shared_to(none, bounds, to) - shared_to(none, bounds, from)) / not_nothing(lanes, step);
-    let middle = shared(none, bounds, (from + to) * 0.5);
-    // Where they run side by side.
-    let crosses = step * step - touch * touch * SIDE_BY_SIDE.powi(2);
-    crosses.if_above(none, mean, middle) / (2.0 * own)
-}
-
-/// What two strips share where their centre lines are so far apart, one of which ceases to lie in the other, and to touch
-/// it, at these bounds: a trapezium.
-#[inline(always)]
-fn shared<F: Number>(none: F, [touch, inside]: [F; 2], at: F) -> F {
-    let at = at.min(touch).max(-touch);
-    (at + touch) - (at + inside).max(none) - (at - inside).max(none)
-}
-
-/// Its integral up to a place, no further than where they part: beyond, squares would cancel.
-#[inline(always)]
-fn shared_to<F: Number>(none: F, [touch, inside]: [F; 2], at: F) -> F {
-    let at = at.min(touch).max(-touch);
-    let (first, second, third) = (at + touch, (at + inside).max(none), (at - inside).max(none));
-    (first * first - second * second - third * third) * 0.5
-}
-
-#[inline(always)]
-fn not_nothing<L: Lanes>(lanes: L, slope: L::F) -> L::F {
-    let least = lanes.all(LEAST);
-    (slope * slope).if_above(least * least, slope, least)
+fn not_nothing(slope: f32) -> f32 {
+    if slope.abs() > LEAST { slope } else { LEAST }
 }
 
 #[cfg(test)]
@@ -181,6 +313,7 @@ mod tests {
     fn as_polygons_say() {
         let mut rng = StdRng::seed_from_u64(3);
         let (mut ours, mut truth) = (0.0, 0.0);
+        let footprint = Region::parallelogram(10.0 * DVec2::X, 10.0 * DVec2::Y);
         for spread in [6.3, 0.02, 0.0].repeat(8) {
             let mut laid = Laid::new();
             let mut strips: Vec<Strip> = Vec::new();
@@ -194,9 +327,10 @@ mod tests {
                     end,
                     half_width,
                 };
-                let left = laid
-                    .lay_under([start, end], [0.0, 1.0], 2.0 * half_width)
-                    .unwrap();
+                let way = Way::within(&footprint, [start, end], 2.0 * half_width).unwrap();
+                let left = laid.left_of(&way).iter().sum::<f32>() / STRIPS as f32;
+                let left = f64::from(left);
+                assert!(laid.lay(&way), "no room for strip {i}");
                 let of_quarters = |later: &Strip| {
                     let cover = strip.covered_by(later)?;
                     Some(1.0 - cover.quarters.iter().sum::<f64>() / 4.0)
@@ -214,18 +348,15 @@ mod tests {
     #[test]
     fn neighbours_leave_each_other_whole() {
         let mut laid = Laid::new();
+        let footprint = Region::parallelogram(200.0 * DVec2::X, 200.0 * DVec2::Y);
         for i in 0..MOST_EIGHTS * EIGHT {
             let y = 0.1 * i as f64;
             let ends = [DVec2::new(-1e3, y), DVec2::new(1e3, y)];
-            assert_eq!(
-                laid.lay_under(ends, [0.4, 0.6], 0.0999),
-                Some(1.0),
-                "strip {i}"
-            );
+            let way = Way::within(&footprint, ends, 0.0999).unwrap();
+            assert_eq!(laid.left_of(&way), way.whole(), "strip {i}");
+            assert!(laid.lay(&way), "no room for strip {i}");
         }
-        assert_eq!(
-            laid.lay_under([DVec2::ZERO, DVec2::X], [0.0, 1.0], 0.1),
-            None
-        );
+        let way = Way::within(&footprint, [DVec2::ZERO, DVec2::X], 0.1).unwrap();
+        assert!(!laid.lay(&way), "there is no end of room");
     }
 }

@@ -2,11 +2,12 @@
 
 use super::center_line::CenterLine;
 use super::region::Region;
+use super::strips::{STRIPS, Strips, shares};
 use crate::single;
 use glam::DVec2;
 
 /// Lines beside one another, each in the middle of its share of the width.
-const LINES: usize = 8;
+const LINES: usize = STRIPS;
 
 pub(super) struct Lines {
     line: CenterLine,
@@ -22,7 +23,12 @@ pub(super) struct Lines {
 pub(crate) struct Left {
     /// Of all of it.
     pub mean: f64,
-    strips: [f32; LINES],
+    strips: Strips,
+    /// How much of each line that is, mm.
+    left_mm: Strips,
+    /// Where the first one begins, and how wide each is, mm across from the run's centre line.
+    low_mm: f64,
+    step_mm: f64,
     /// Where one strip ends and the next begins, mm across from the run's centre line.
     borders_mm: [f32; LINES - 1],
 }
@@ -115,6 +121,9 @@ impl Left {
         Self {
             mean: share(left.iter().sum(), all.iter().sum()),
             strips: core::array::from_fn(|i| single(share(left[i], all[i]))),
+            left_mm: left.map(single),
+            low_mm: low,
+            step_mm: step,
             borders_mm: core::array::from_fn(|i| single(low + step * (i + 1) as f64)),
         }
     }
@@ -124,8 +133,25 @@ impl Left {
         Self {
             mean: share,
             strips: [single(share); LINES],
+            left_mm: [0.0; LINES],
+            low_mm: 0.0,
+            step_mm: 0.0,
             borders_mm: [0.0; LINES - 1],
         }
+    }
+
+    /// What share of all that is left the strips of a cross-section have that reaches from one place to another.
+    pub(crate) fn across(&self, [from, to]: [f64; 2]) -> Strips {
+        let step = (to - from) / STRIPS as f64;
+        shares(core::array::from_fn(|i| {
+            let own = [from + step * i as f64, from + step * (i + 1) as f64];
+            let of_line = |line: usize| {
+                let low = self.low_mm + self.step_mm * line as f64;
+                let width = own[1].min(low + self.step_mm) - own[0].max(low);
+                single(width.max(0.0)) * self.left_mm[line]
+            };
+            (0..LINES).map(of_line).sum()
+        }))
     }
 
     /// Where strips end, and the share that is left of each; the outer ones go on without end. Neighbours of which as much is
@@ -189,6 +215,23 @@ mod tests {
             off += (left - truth).abs() / 40.0;
         }
         assert!(off < 2e-3, "{off} on average");
+    }
+
+    /// What is left of lines over a part of a cross-section is shared out by its strips, and adds up to 1.
+    #[test]
+    fn lines_are_shared_out_by_strips() {
+        // Lines over the left half, of which the right half is gone.
+        let left = [2.0, 2.0, 2.0, 2.0, 0.0, 0.0, 0.0, 0.0];
+        let found = Left::new([-1.0, 0.125], left, [2.0; LINES]).across([-1.0, 1.0]);
+        let wanted = [0.5, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        for (found, wanted) in found.iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-6, "{found}, not {wanted}");
+        }
+        let found = Left::new([-1.0, 0.25], [0.0; LINES], [2.0; LINES]).across([-1.0, 1.0]);
+        assert!(
+            (found.iter().sum::<f32>() - 1.0).abs() < 1e-6,
+            "{found:?} of nothing"
+        );
     }
 
     /// The borders of a strip anywhere across a larger one, some of which end in it.

@@ -332,3 +332,13 @@ fn blend(signature: &Signature, classes: &[Signature]) -> Blend {
         second: share,
     }
 }
+
+/// One cross-section that is its own mirror image.
+#[cfg(test)]
+pub(super) fn symmetric() -> Palette {
+    let mut palette = Palette::default();
+    let point = |[x, z]: [f32; 2]| Point { x, z, finish: 0 };
+    let points = [[-0.5, 0.0], [0.0, -0.2], [0.5, 0.0]].map(point);
+    palette.push(&Shape::of(&points), MOST_CLASS_VERTICES);
+    palette
+}

@@ -3,10 +3,10 @@
 
 use super::Pattern;
 use super::chords::{ClassAreas, add_shares};
-use super::crowd::{Crowd, Heading, MOST_ENTRIES, Packed, keys};
+use super::crowd::{FarCrowd, Heading, MOST_ENTRIES, NearCrowd, Packed, keys};
 use super::grid::number;
 use super::hit::Hit;
-use super::laid::Laid;
+use super::laid::{Laid, Way};
 use super::lists::{Lists, Sink, of_items};
 use super::palette::MOST_CLASSES;
 use super::query::{Candidates, Reach};
@@ -14,6 +14,7 @@ use super::raster::{Raster, Touched};
 use super::reader::Reader;
 use super::seen::{Inserted, Seen};
 use super::store::Store;
+use super::strips::{EVEN, Strips};
 use arrayvec::ArrayVec;
 use bytemuck::{Pod, Zeroable};
 use core::array::from_fn;
@@ -55,8 +56,8 @@ pub(super) struct Level {
 
 impl Pattern {
     /// What a footprint holds of these pieces (in their order), less what later ones take.
-    pub(crate) fn crowd_of(&self, reach: &Reach<'_>, candidates: &Candidates) -> Crowd {
-        let mut crowd = Crowd::new();
+    pub(crate) fn crowd_of(&self, reach: &Reach<'_>, candidates: &Candidates) -> NearCrowd {
+        let mut crowd = NearCrowd::new();
         let mut scratches = Seen::<MOST_SCRATCHES>::new();
         let mut laid = Laid::new();
         let mut reader = Reader::new(self);
@@ -67,13 +68,19 @@ impl Pattern {
             let mut is_held = false;
             reader.for_each_chord(number as usize, Some(reach), |chord| {
                 let ends = chord.ends.map(|uv| reach.place(uv));
-                if let Some(stretch) = reach.footprint.part_of_segment(ends) {
-                    is_held = true;
-                    let areas = chord.areas_left(stretch, |width_mm, mean| {
-                        laid.lay_under(ends, stretch, width_mm).unwrap_or(mean)
-                    });
-                    crowd.add(&self.palette, areas, chord.heading);
-                }
+                let Some(way) = Way::within(reach.footprint, ends, chord.width_mm()) else {
+                    return;
+                };
+                is_held = true;
+                let (areas, strips) = chord.areas_left(way.stretch(), |mean| {
+                    let left = laid.left_of(&way);
+                    if laid.lay(&way) {
+                        left
+                    } else {
+                        way.whole().map(|whole| whole * mean)
+                    }
+                });
+                crowd.add(&self.palette, areas, chord.heading, &strips);
             });
             if let Some(piece) = self
                 .curves()
@@ -91,33 +98,34 @@ impl Pattern {
     /// thin.
     pub(crate) fn add_thin_caps(
         &self,
-        crowd: &mut Option<Crowd>,
+        crowd: &mut Option<NearCrowd>,
         candidates: &Candidates,
         reach: &Reach<'_>,
         thin_mm: f64,
     ) {
         for &number in candidates {
             self.for_each_cap_chord(number as usize, Some(reach), thin_mm, &mut |chord| {
-                let crowd = crowd.get_or_insert_with(Crowd::new);
-                crowd.add(&self.palette, chord.areas([0.0, 1.0]), chord.heading);
+                let crowd = crowd.get_or_insert_with(NearCrowd::new);
+                crowd.add(&self.palette, chord.areas([0.0, 1.0]), chord.heading, &EVEN);
             });
         }
     }
 
     /// What a footprint holds of all scratches, however many, as far as cells as large as its parts tell.
-    pub(crate) fn crowd(&self, reach: &Reach<'_>) -> Crowd {
-        let mut crowd = Crowd::new();
+    pub(crate) fn crowd(&self, reach: &Reach<'_>) -> FarCrowd {
+        let mut crowd = FarCrowd::new();
         self.pyramid.add_to(&mut crowd, reach);
         crowd
     }
 
-    /// Adds one run that covers `area_mm2` of a footprint.
+    /// Adds one run that covers `area_mm2` of a footprint, of which strips across have these shares.
     pub(crate) fn add_run(
         &self,
-        crowd: &mut Crowd,
+        crowd: &mut NearCrowd,
         hit: &Hit<'_>,
         reach: &Reach<'_>,
         area_mm2: f64,
+        strips: &Strips,
     ) {
         // From mm into the pattern's own scale, and back when it is shaded.
         let travel = reach.metric.step_uv(hit.line.travel) * self.units_per_uv;
@@ -125,7 +133,7 @@ impl Pattern {
         let mut areas = ClassAreas::default();
         let classes = hit.track.classes(hit.place);
         add_shares(&mut areas, &classes, crate::single(area_mm2));
-        crowd.add(&self.palette, areas, Heading::of(travel));
+        crowd.add(&self.palette, areas, Heading::of(travel), strips);
     }
 }
 
@@ -154,7 +162,7 @@ impl Held {
         }
     }
 
-    fn add_to(self, crowd: &mut Crowd) {
+    fn add_to(self, crowd: &mut FarCrowd) {
         let place = f32::from(self.place) / Self::PLACES;
         crowd.add_to(self.key.into(), self.area_mm2, self.area_mm2 * place);
     }
@@ -210,10 +218,10 @@ struct Entries {
 
 impl Entries {
     /// Of these cells, each of which is filled.
-    fn of(cells: Range<usize>, fill: impl Fn(usize, &mut Crowd)) -> Self {
+    fn of(cells: Range<usize>, fill: impl Fn(usize, &mut FarCrowd)) -> Self {
         let (mut ends, mut all) = (Vec::with_capacity(cells.len()), Vec::new());
         for cell in cells {
-            let mut crowd = Crowd::new();
+            let mut crowd = FarCrowd::new();
             fill(cell, &mut crowd);
             all.extend(crowd.packed());
             ends.push(number(all.len()));
@@ -317,7 +325,7 @@ impl Pyramid {
     }
 
     /// Adds what a footprint holds: each cell of the level that suits its size, by the area they share.
-    fn add_to(&self, crowd: &mut Crowd, reach: &Reach<'_>) {
+    fn add_to(&self, crowd: &mut FarCrowd, reach: &Reach<'_>) {
         let [low, high] = reach.footprint_uv();
         let fits = |level: &&Level| level.raster.count_touched(low, high) <= MOST_CELLS;
         let Some(level) = self.levels.iter().find(fits).or(self.levels.last()) else {

@@ -200,8 +200,8 @@ impl Region {
         part.keep(lines).then_some(part)
     }
 
-    /// Whether it lies all on one side of a curve with these control points.
-    pub(crate) fn is_beside(&self, [a, b, c, d]: &[DVec2; 4]) -> bool {
+    /// Whether it lies all on one side of a curve with these control points, and so far away from it.
+    pub(crate) fn is_beside(&self, [a, b, c, d]: &[DVec2; 4], away: f64) -> bool {
         let chord = *d - *a;
         let beside = |p: DVec2| chord.perp_dot(p - *a);
         let bends = [beside(*b), beside(*c)];
@@ -214,7 +214,8 @@ impl Region {
             from = if at < from { at } else { from };
             to = if at > to { at } else { to };
         }
-        from > high || to < low
+        let away = away * chord.length();
+        from > high + away || to < low - away
     }
 
     pub(crate) fn holds(&self, point: DVec2) -> bool {

@@ -8,7 +8,8 @@ use super::relief::MOST_FINISHES;
 use super::shading::Shading;
 use super::slopes::{MOST_FACETS, Section, Slope, Widths};
 use crate::brdf::{Local, Pair, turned_each};
-use crate::lanes::{Lanes, Number};
+use crate::lanes::{Lanes, Number, in_lanes};
+use glam::Vec3;
 
 /// A light with the view, and where densities are asked for also mirrored below the surface.
 #[derive(Clone, Copy)]
@@ -96,6 +97,32 @@ impl Shading {
         )
     }
 
+    /// In what share of the pixel a viewer sees all flocks, and what share they cover.
+    pub(super) fn seen_of_flocks(&self, from: Vec3) -> [f32; 2] {
+        if self.flocks.is_empty() {
+            return [0.0; 2];
+        }
+        in_lanes!(lanes => self.seen_in(lanes, from))
+    }
+
+    #[inline(always)]
+    fn seen_in<L: Lanes>(&self, lanes: L, from: Vec3) -> [f32; 2] {
+        let (mut seen, mut shares) = (lanes.all(0.0), lanes.all(0.0));
+        let mut widths = Widths::none(lanes);
+        for (slots, flocks) in self.flocks.classes() {
+            let mut up = [0.0; MOST_FACETS];
+            let section = self.zones.section(slots, &mut up);
+            for first in flocks.clone().step_by(L::WIDTH) {
+                let flocks = self.flocks.abreast(lanes, first..flocks.end);
+                let view = Slope::of(lanes, &turned_each(from, flocks.across));
+                let (_, [own, _]) = section.see(lanes, &view, &flocks.strips, &mut widths);
+                seen = seen + own;
+                shares = shares + flocks.share;
+            }
+        }
+        [seen.sum(), shares.sum()]
+    }
+
     /// Adds what all flocks reflect of each light.
     #[inline(always)]
     fn add_flocks<L: Lanes>(&self, lanes: L, lights: &[Light], sums: &mut [Reflected<L::F>]) {
@@ -121,17 +148,18 @@ impl Shading {
         sums: &mut [Reflected<L::F>],
     ) {
         let view = Slope::of(lanes, &turned_each(self.view, flocks.across));
-        let (seen_flat, all) = section.see(lanes, &view, widths);
-        let shown = flocks.shown / all.max(lanes.all(f32::MIN_POSITIVE));
+        let (seen_flat, [hidden, seen]) = section.see(lanes, &view, &flocks.strips, widths);
+        let shown = flocks.shown / seen.max(lanes.all(f32::MIN_POSITIVE));
         for (light, sums) in lights.iter().zip(sums) {
             let pair = light.pair.turned_each(flocks.across);
             let slope = Slope::of(lanes, &pair.light);
             let [from, to] = section.light(lanes, &slope, &view, seen_flat, widths);
-            sums.taken = flocks.share.times_plus(to - from, sums.taken);
-            self.add_lobes(lanes, section, &pair, flocks.share, &widths.lit, sums);
+            let shadow = (to - from) - (seen_flat[1] - seen_flat[0]);
+            sums.taken = flocks.share.times_plus(shadow, sums.taken + hidden);
+            self.add_lobes(lanes, section, &pair, &widths.lit, sums);
             if let Some(below) = &light.below {
                 let below = below.turned_each(flocks.across);
-                self.add_densities(lanes, section, [&pair, &below], shown, &widths.seen, sums);
+                self.add_densities(lanes, section, [&pair, &below], shown, &widths.shown, sums);
             }
         }
     }
@@ -142,7 +170,6 @@ impl Shading {
         lanes: L,
         section: &Section<'_>,
         pair: &Local<L::F>,
-        share: L::F,
         lit: &[L::F; MOST_FACETS],
         sums: &mut Reflected<L::F>,
     ) {
@@ -151,7 +178,7 @@ impl Shading {
             let finish = self.zones.finish_of(*number);
             let lobes = finish.lit_lobes(lanes, pair, facets);
             let sum = &mut sums.lobes[*number as usize];
-            *sum = lobes.times_plus(share, *sum);
+            *sum = *sum + lobes;
         }
     }
 
@@ -180,10 +207,10 @@ impl Shading {
 mod tests {
     use super::*;
     use crate::brdf::{Brdf, Finish, Fresnel};
-    use crate::lanes::{One, in_lanes};
+    use crate::lanes::One;
     use crate::scattering::flocks::Flock;
     use core::f32::consts::{FRAC_PI_2, TAU};
-    use glam::{Vec2, Vec3};
+    use glam::Vec2;
     use rand::rngs::StdRng;
     use rand::{Rng, SeedableRng};
 
@@ -249,10 +276,12 @@ mod tests {
                 zones.normal_x[slot] = -Vec2::from(run).normalize().y;
             }
             for _ in 0..flocks / 4 + u32::from(class < flocks % 4) {
+                let share = random.random_range(0.0..2.0) / flocks as f32;
                 shading.flocks.push(&Flock {
                     across: Vec2::from_angle(random.random_range(-FRAC_PI_2..3.0)),
                     slots: [first, points],
-                    share: random.random_range(0.0..2.0) / flocks as f32,
+                    share,
+                    strips: core::array::from_fn(|_| random.random_range(0.0..1.0)),
                     shown: 0.0,
                 });
             }

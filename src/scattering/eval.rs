@@ -6,6 +6,7 @@ use super::visibility::Parts;
 use super::visit::Zone;
 use crate::brdf::{ACROSS_SURFACE, Pair, is_finite};
 use crate::lanes::{Lanes, Number, One, in_lanes};
+use crate::single;
 use glam::{Vec2, Vec3};
 
 /// Weights that should add up to 1 do so within this; less flat surface than that is none, or it would shine
@@ -186,18 +187,19 @@ impl Shading {
     /// Visits each zone that the viewer sees, with view and light in the frame of its scratch and that frame's first
     /// axis; the flat surface comes last.
     pub(super) fn each_zone(&self, pair: &Pair, mut visit: impl FnMut(&Zone, &Pair, Vec2)) {
-        let mut taken = self.each_relief_zone(One, pair, &mut visit);
+        // Of many small shares, which may leave little: in single, rounding would add up to more than that.
+        let mut taken = f64::from(self.each_relief_zone(One, pair, &mut visit));
         // To clear these takes as long as to look at a scratch.
         if !self.flocks.is_empty() {
             let mut parts = [const { Parts::new() }; 2];
             for flock in self.flocks.iter() {
                 let (across, pair) = (flock.across, pair.turned(flock.across));
                 let visit = |zone: &Zone| visit(zone, &pair, across);
-                taken += self.zones.each_of_flock(&mut parts, &flock, &pair, visit);
+                taken += f64::from(self.zones.each_of_flock(&mut parts, &flock, &pair, visit));
             }
         }
         let turned = pair.turned(ACROSS_SURFACE);
-        visit(&self.surface(taken), &turned, ACROSS_SURFACE);
+        visit(&self.surface(single(taken)), &turned, ACROSS_SURFACE);
     }
 
     /// The zones of scratches that are held one by one: what of the flat surface they take from the light.

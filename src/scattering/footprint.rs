@@ -9,7 +9,7 @@ use glam::DVec2;
 
 /// Pieces of density that a shading point holds for all its scratches together: three for each that crosses the
 /// pixel, more where others cross it.
-pub(crate) const MOST_DENSITIES: usize = 87;
+pub(crate) const MOST_DENSITIES: usize = 86;
 
 /// Where the density bends by more than this share of the pixel's weight, it has a corner: from twice as much on in full.
 const MOST_BEND: f64 = 0.003;

@@ -50,9 +50,9 @@ pub(crate) struct Zones {
     pub(super) finishes: [Finish; MOST_FINISHES],
     /// How much of all light each finish reflects; known once it is asked for.
     albedos: [Vec3; MOST_FINISHES],
-    finish_count: u32,
+    finish_count: u16,
     /// How many of them are the host's own.
-    hosted_count: u32,
+    hosted_count: u16,
     used: u32,
     pub densities: Densities,
 }
@@ -123,7 +123,7 @@ impl Zones {
         if known.is_none() && number == held.len() {
             self.finishes[number] = *finish;
             self.finish_count += 1;
-            self.hosted_count += u32::from(finish.hosted().is_some());
+            self.hosted_count += u16::from(finish.hosted().is_some());
         }
         u8::try_from(number).unwrap_or(0)
     }
@@ -342,17 +342,6 @@ impl Zones {
         let count = u32::try_from(points.len()).unwrap_or(0);
         self.used = first + count;
         Some([first, count])
-    }
-
-    /// How wide a flock's cross-section, one unit wide itself, looks to a viewer.
-    pub(crate) fn seen_width(&self, slots: [u32; 2], across: Vec2, view: Vec3) -> f32 {
-        let (xs, zs) = self.class(slots);
-        let view = Across {
-            x: view.truncate().dot(across),
-            z: view.z,
-        };
-        let [from, to] = view.flat_ends(horizon(xs, zs, view), [-0.5, 0.5]);
-        to - from
     }
 
     /// x and z of a class.

@@ -48,17 +48,14 @@ impl Shading {
                 .each_seen_from(&whole, turned.view, |zone| visit(zone, &turned, across));
         }
         let mut parts = [const { Parts::new() }; 2];
-        let (mut shares, mut crowd) = (0.0, 0.0);
-        for flock in self.flocks.iter() {
-            shares += flock.share;
-            crowd += flock.share * self.zones.seen_width(flock.slots, flock.across, from);
-        }
+        let [crowd, shares] = self.seen_of_flocks(from);
         for flock in self.flocks.iter() {
             let (across, turned) = (flock.across, pair.turned(flock.across));
             let share = flock.share * self.crowding;
             let shown = share * (crowd / shares.max(f32::MIN_POSITIVE));
             let whole = Flock {
                 share,
+                strips: flock.strips.map(|strip| strip * self.crowding),
                 shown,
                 ..flock
             };

@@ -4,10 +4,11 @@
 //! w.x / w.z to a cross-section: it shifts a vertex to x - slope z on the plane. Swept over the vertices, from the side that
 //! the direction comes from, the horizon moves on by what lies open of each facet.
 
+use super::flocks::Over;
 use super::relief::Zones;
 use crate::brdf::Facets;
 use crate::lanes::{Lanes, Number, Vector};
-use crate::pattern::MOST_CLASS_VERTICES;
+use crate::pattern::{MOST_CLASS_VERTICES, STRIPS};
 use arrayvec::ArrayVec;
 use core::ops::Range;
 
@@ -21,6 +22,7 @@ pub(super) struct Section<'a> {
     zs: &'a [f32],
     /// Across and upward components.
     normals: [&'a [f32]; 2],
+    over: ArrayVec<Over, MOST_FACETS>,
     /// Facets that follow one another and have a finish of this number.
     pub runs: ArrayVec<(u8, Range<usize>), MOST_FACETS>,
 }
@@ -37,8 +39,11 @@ pub(super) struct Widths<F> {
     /// From end to end, as the view shifts them.
     whole: [F; MOST_FACETS],
     /// What the viewer sees of that.
-    pub seen: [F; MOST_FACETS],
-    /// What of it is lit.
+    seen: [F; MOST_FACETS],
+    /// The share of the pixel that the flock would cover if all of it were like this facet.
+    share: [F; MOST_FACETS],
+    /// What of the pixel the viewer sees each facet in, and what of that is lit.
+    pub shown: [F; MOST_FACETS],
     pub lit: [F; MOST_FACETS],
 }
 
@@ -49,6 +54,8 @@ impl<F: Number> Widths<F> {
         Self {
             whole: none,
             seen: none,
+            share: none,
+            shown: none,
             lit: none,
         }
     }
@@ -68,7 +75,9 @@ impl Zones {
         for (up, x) in up.iter_mut().zip(across) {
             *up = (1.0 - x * x).max(0.0).sqrt();
         }
+        let ends = self.x[own.start..=own.end].windows(2);
         Section {
+            over: ends.map(|ends| Over::of([ends[0], ends[1]])).collect(),
             xs: &self.x[own.start..=own.end],
             zs: &self.z[own.start..=own.end],
             normals: [across, &up[..facets]],
@@ -173,14 +182,16 @@ impl Section<'_> {
         ([leftmost, rightmost], all)
     }
 
-    /// Finds what the viewer sees; returns from where to where the flat surface is hidden, and how wide all that is seen is.
+    /// Finds what the viewer sees of flocks whose strips would cover so much of the pixel if all were like them; returns from
+    /// where to where the flat surface is hidden, what of the pixel that is, and what all facets are that are seen.
     #[inline(always)]
     pub(super) fn see<L: Lanes>(
         &self,
         lanes: L,
         view: &Slope<L::F>,
+        strips: &[L::F; STRIPS],
         widths: &mut Widths<L::F>,
-    ) -> ([L::F; 2], L::F) {
+    ) -> ([L::F; 2], [L::F; 2]) {
         let (none, whole) = (lanes.all(0.0), &mut widths.whole);
         let (horizons, all) = self.sweep(
             lanes,
@@ -192,8 +203,18 @@ impl Section<'_> {
                 open
             },
         );
+        let mut shown = none;
+        for (k, over) in self.over.iter().enumerate() {
+            let share = over.mean(strips);
+            widths.share[k] = share;
+            widths.shown[k] = share * widths.seen[k];
+            shown = shown + widths.shown[k];
+        }
         let ends = [lanes.all(-0.5), lanes.all(0.5)];
-        (view.flat_ends(horizons, ends), all)
+        let [from, to] = view.flat_ends(horizons, ends);
+        // Where its ends stand up, facets look wider or narrower together than what they hide.
+        let hidden = (to - from) / all.max(lanes.all(f32::MIN_POSITIVE)) * shown;
+        ([from, to], [hidden, shown])
     }
 
     /// Finds what of that is lit; returns from where to where the flat surface is hidden or dark.
@@ -210,7 +231,7 @@ impl Section<'_> {
         // Seen from one side and lit from the other, a facet is dark from the end on that is seen first.
         let (right, left) = (light.leftwards, view.leftwards);
         let opposite = (right - left) * (right - left);
-        let (whole, seen) = (&widths.whole, &widths.seen);
+        let (whole, seen, shares) = (&widths.whole, &widths.seen, &widths.share);
         let (horizons, _) = self.sweep(
             lanes,
             light,
@@ -220,7 +241,7 @@ impl Section<'_> {
                 let share = open / width.max(least);
                 let hidden = whole[k] - seen[k];
                 let lit = whole[k].times_plus(share, -(opposite * hidden));
-                seen[k].min(lit.max(none))
+                seen[k].min(lit.max(none)) * shares[k]
             },
         );
         light.flat_ends(horizons, seen_flat)

@@ -1,6 +1,6 @@
 //! The zones of a prepared point, one by one or eight at a time, as one light falls on them.
 
-use super::flocks::Flock;
+use super::flocks::{Flock, Over};
 use super::relief::{Relief, Zones, packed, unpacked};
 use super::visibility::{Across, Part, Parts, first_of};
 use crate::brdf::Pair;
@@ -232,7 +232,8 @@ impl Zones {
         }
     }
 
-    /// As [`Self::each_of_relief`], for a flock: its scratches lie anywhere in the pixel, so that all parts weigh alike.
+    /// As [`Self::each_of_relief`], for a flock: its scratches lie anywhere in the pixel, so that all parts of a strip weigh
+    /// alike.
     pub(crate) fn each_of_flock(
         &self,
         [seen, lit]: &mut [Parts; 2],
@@ -251,20 +252,30 @@ impl Zones {
         };
         let horizon = seen.sweep(One, xs, zs, facets, view);
         let seen_flat = view.flat_ends(horizon, [-0.5, 0.5]);
-        let shown: f32 = (0..facets).map(|k| width(k, seen.of(k))).sum();
-        let shown = flock.shown / shown.max(f32::MIN_POSITIVE);
+        let share = |k: usize| flock.share_over(&Over::of([xs[k], xs[k + 1]]));
+        let (mut all, mut covered) = (0.0, 0.0);
+        for k in 0..facets {
+            let seen = width(k, seen.of(k));
+            all += seen;
+            covered += seen * share(k);
+        }
+        let shown = flock.shown / covered.max(f32::MIN_POSITIVE);
         let horizon = lit.sweep(One, xs, zs, facets, light);
         for k in 0..facets {
             let [seen, lit] = [seen.of(k), lit.of(k)];
             let both = [seen[0].max(lit[0]), seen[1].min(lit[1])];
             let seen = width(k, seen);
             if seen > 0.0 {
-                let shares = [seen * shown, width(k, both) * flock.share];
+                let share = share(k);
+                let shares = [seen * share * shown, width(k, both) * share];
                 self.by_finish(One, true, [first + k, k, 1], shares, &mut visit);
             }
         }
         let [from, to] = light.flat_ends(horizon, seen_flat);
-        flock.share * (to - from)
+        // Where its ends stand up, facets look wider or narrower together than what they hide.
+        let width = seen_flat[1] - seen_flat[0];
+        let hidden = width / all.max(f32::MIN_POSITIVE) * covered;
+        hidden + flock.share * (to - from - width)
     }
 }
 

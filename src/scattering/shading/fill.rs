@@ -2,7 +2,7 @@
 
 use super::Shading;
 use crate::formation::MOST_LAYERS;
-use crate::pattern::{Candidates, Crossing, Crowd, Hit, Left, Pattern, Reach, Region};
+use crate::pattern::{Candidates, Crossing, Crowd, Hit, Left, NearCrowd, Pattern, Reach, Region};
 use crate::scattering::eval::rest;
 use crate::scattering::flocks::{Flock, MOST_FLOCKS};
 use crate::scattering::relief::{MOST_RELIEFS, MOST_SLOTS, Relief};
@@ -69,7 +69,12 @@ impl Shading {
         }
     }
 
-    fn add_as_crowd(&mut self, pattern: &Pattern, crowd: &Crowd, reach: &Reach<'_>) {
+    fn add_as_crowd<const BY: usize>(
+        &mut self,
+        pattern: &Pattern,
+        crowd: &Crowd<BY>,
+        reach: &Reach<'_>,
+    ) {
         self.clear();
         self.add_crowd(pattern, crowd, reach);
         self.scratch_count = crowd.count;
@@ -151,7 +156,7 @@ impl Shading {
         pattern: &Pattern,
         hits: &[Hit<'_>],
         reach: &Reach<'_>,
-        crowd: &mut Option<Crowd>,
+        crowd: &mut Option<NearCrowd>,
     ) {
         // In place: room for all is not to be moved.
         let mut covers: ArrayVec<Option<Region>, MOST> = ArrayVec::new();
@@ -198,8 +203,9 @@ impl Shading {
             let added = is_cut || (alone > 0.0 && add(slice::from_ref(&hit.region), &left));
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
-                let crowd = crowd.get_or_insert_with(Crowd::new);
-                pattern.add_run(crowd, hit, reach, rest * area * left.mean * hit.alone);
+                let crowd = crowd.get_or_insert_with(NearCrowd::new);
+                let area_mm2 = rest * area * left.mean * hit.alone;
+                pattern.add_run(crowd, hit, reach, area_mm2, &left.across(hit.ends_mm));
             }
         }
     }
@@ -237,7 +243,12 @@ impl Shading {
 
     /// Adds scratches by cross-section and direction; false if there is no room for one of the cross-sections.
     #[inline(never)]
-    fn add_crowd(&mut self, pattern: &Pattern, crowd: &Crowd, reach: &Reach<'_>) -> bool {
+    fn add_crowd<const BY: usize>(
+        &mut self,
+        pattern: &Pattern,
+        crowd: &Crowd<BY>,
+        reach: &Reach<'_>,
+    ) -> bool {
         let fits = |coarser: &usize| crowd.flock_count(*coarser) <= MOST_FLOCKS;
         let coarser = [1, 2, 4, 8, 16].into_iter().find(fits).unwrap_or(32);
         let mut class = None;
@@ -252,10 +263,12 @@ impl Shading {
             let length = travel.length();
             let across = DVec2::new(travel.y, -travel.x) / length;
             let area_mm2 = flock.area_mm2 * length / pattern.mm_per_scene_unit;
+            let share = single(area_mm2 / reach.area_mm2);
             self.flocks.push(&Flock {
                 across: across.as_vec2(),
                 slots,
-                share: single(area_mm2 / reach.area_mm2),
+                share,
+                strips: flock.strips.map(|strip| strip * share),
                 shown: 0.0,
             });
         }
@@ -264,14 +277,8 @@ impl Shading {
 
     /// Where scratches crowd, their shares are scaled to fill the pixel and no more.
     pub(in crate::scattering) fn share_out(&mut self) {
+        let [crowd, shares] = self.seen_of_flocks(self.view);
         let reliefs = &mut self.reliefs[..self.relief_count as usize];
-        let shown = |flock: Flock| {
-            flock.share * self.zones.seen_width(flock.slots, flock.across, self.view)
-        };
-        let crowd: f32 = match self.flocks.is_empty() {
-            true => 0.0,
-            false => self.flocks.iter().map(shown).sum(),
-        };
         let all = crowd + reliefs.iter().map(Relief::coverage).sum::<f32>();
         // What a damaged file holds may overflow: such a point is an unscratched one.
         if !all.is_finite() {
@@ -284,7 +291,7 @@ impl Shading {
             reliefs.iter_mut().for_each(|relief| relief.gain /= all);
             self.flocks.scale(1.0 / all);
         }
-        self.flocks.set_seen(crowd / self.crowding);
+        self.flocks.set_seen(crowd, shares);
         // An empty sum is -0.
         self.coverage = (0.0 + all).clamp(0.0, 1.0);
         self.seen = all / self.crowding + rest(self.coverage);
