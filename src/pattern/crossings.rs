@@ -57,14 +57,11 @@ impl<'c, 'p> Crossing<'c, 'p> {
             let covered = self.later(i).map(|(_, cover)| cover.area() / pixel_area);
             return Left::even(covered.map(|share| 1.0 - share.min(1.0)).product());
         };
-        let mut others = self.cutting(i, run.ends_mm).peekable();
-        if others.peek().is_none() {
-            return Left::even(1.0);
-        }
         let lines = Lines::along(&run.line, cover);
         let whole = lines.within(cover.edges().map(|(a, b)| [a, (b - a).perp()]));
         let mut cuts: ArrayVec<Stretches, MOST_CUTS> = ArrayVec::new();
-        let all = others.map(|later| lines.within(later.borders(later.ends_mm)));
+        let later = self.cutting(i, run.ends_mm);
+        let all = later.map(|later| lines.within(later.borders(later.ends_mm)));
         cuts.extend(all.filter(|cut| cut.meet(&whole)).take(MOST_CUTS));
         lines.left(&whole, &mut cuts)
     }
