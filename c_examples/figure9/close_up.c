@@ -34,7 +34,7 @@ static Lights lamps(const Shot *shot) {
     const Lamp soft_box = {.centre = place(CAMERA_HEADING_DEG + 180.0, LAMP_ELEVATION_DEG, distance),
                            .width = distance,
                            .height = 0.7 * distance,
-                           .columns = 8,
+                           .columns = 18,
                            .rows = 5,
                            .radiance = {1.0, 0.97, 0.93},
                            .fade = 0.0};
