@@ -1,6 +1,8 @@
 //! What of a scratch later ones cover within a footprint that holds many, line by line along it: exactly where one does, and as
 //! if independently of one another where several meet in the same part of a line.
 
+mod average;
+
 use super::region::Region;
 use super::strips::{STRIPS, Strips};
 use crate::lanes::{Lanes, Number, in_lanes};
@@ -13,6 +15,9 @@ const EIGHT: usize = 8;
 
 /// Eights of strips that are remembered: what lies under more of them is covered as it is on average.
 const MOST_EIGHTS: usize = 96;
+
+/// Up to so many strips are looked at line by line. What lies under more, of which little is left, is told by the average.
+const MOST_BY_LINES: usize = 192;
 
 /// Parts of a line, in each of which what covers it does so independently.
 const PARTS: usize = 4;
@@ -37,11 +42,14 @@ enum Of {
 
 const NUMBERS: usize = 8;
 
+/// Number by number.
+type Eight = [[f32; EIGHT]; NUMBERS];
+
 /// Strips that were laid, the latest first; mm.
 #[derive(Debug)]
 pub(super) struct Laid {
     /// Number by number.
-    eights: ArrayVec<[[f32; EIGHT]; NUMBERS], MOST_EIGHTS>,
+    eights: ArrayVec<Eight, MOST_EIGHTS>,
     count: usize,
 }
 
@@ -55,6 +63,13 @@ impl Laid {
 
     /// What all strips leave of each line of a way, as a share of all of the chord.
     pub(super) fn left_of(&self, way: &Way) -> Strips {
+        if self.count > MOST_BY_LINES {
+            let half_width = single(way.half_width_mm).max(LEAST);
+            let middle = way.middle();
+            let left =
+                in_lanes!(lanes => average::left_of(lanes, &self.eights, middle, half_width));
+            return way.whole().map(|whole| whole * left);
+        }
         let lines = Lines::of(way);
         let left = in_lanes!(lanes => lines.left(lanes, &self.eights));
         core::array::from_fn(|i| left[i] * single(way.to[i] - way.from[i]))
@@ -149,6 +164,12 @@ impl Way {
         })
     }
 
+    /// What of the chord's own line lies beside what lines have in the footprint.
+    fn middle(&self) -> [DVec2; 2] {
+        let [start, end] = self.chord;
+        self.stretch().map(|share| start.lerp(end, share))
+    }
+
     /// What of the chord each line has in the footprint.
     pub(super) fn whole(&self) -> Strips {
         core::array::from_fn(|i| single(self.to[i] - self.from[i]))
@@ -209,7 +230,7 @@ impl Lines {
 
     /// The share of each that strips leave.
     #[inline(always)]
-    fn left<L: Lanes>(&self, lanes: L, eights: &[[[f32; EIGHT]; NUMBERS]]) -> Strips {
+    fn left<L: Lanes>(&self, lanes: L, eights: &[Eight]) -> Strips {
         let mut left = [[1.0; STRIPS]; PARTS];
         for eight in eights {
             for first in (0..EIGHT).step_by(L::WIDTH) {
@@ -229,7 +250,7 @@ impl Lines {
 
     /// Above 0 for strips that may cover any of it.
     #[inline(always)]
-    fn touches<L: Lanes>(&self, lanes: L, eight: &[[f32; EIGHT]; NUMBERS], first: usize) -> L::F {
+    fn touches<L: Lanes>(&self, lanes: L, eight: &Eight, first: usize) -> L::F {
         let load = |number: Of| lanes.load(&eight[number as usize][first..]);
         let dot = |[x, y]: [L::F; 2], v: Vec2| x * v.x + y * v.y;
         let normal = [load(Of::NormalX), load(Of::NormalY)];
@@ -246,7 +267,7 @@ impl Lines {
     }
 
     #[inline(always)]
-    fn meeting(&self, eight: &[[f32; EIGHT]; NUMBERS], place: usize) -> Meeting {
+    fn meeting(&self, eight: &Eight, place: usize) -> Meeting {
         let of = |number: Of| eight[number as usize][place];
         let normal = Vec2::new(of(Of::NormalX), of(Of::NormalY));
         let along = Vec2::new(of(Of::AlongX), of(Of::AlongY));
