@@ -48,7 +48,6 @@ type Eight = [[f32; EIGHT]; NUMBERS];
 /// Strips that were laid, the latest first; mm.
 #[derive(Debug)]
 pub(super) struct Laid {
-    /// Number by number.
     eights: ArrayVec<Eight, MOST_EIGHTS>,
     count: usize,
 }
