@@ -224,6 +224,7 @@ impl Region {
     }
 
     /// The part of a segment that lies inside, as shares of it (Cyrus and Beck 1978).
+    #[cfg(feature = "files")]
     pub(crate) fn part_of_segment(&self, [a, b]: [DVec2; 2]) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for (p, q) in self.edges() {
