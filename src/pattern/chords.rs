@@ -79,8 +79,9 @@ impl Reader<'_> {
         let pattern = self.pattern;
         let curves = pattern.curves();
         let widest_mm = f64::from(pattern.extent.half_width_mm);
+        let control = curves.control(number);
         let is_beside = |reach: &Reach<'_>| {
-            let control = curves.control(number).map(|uv| reach.place(uv));
+            let control = control.map(|uv| reach.place(uv));
             reach.footprint.is_beside(&control, widest_mm)
         };
         if within.is_some_and(is_beside) {
@@ -96,7 +97,7 @@ impl Reader<'_> {
         let Some((track, course)) = strand else {
             return;
         };
-        let (control, [from, to]) = (curves.control(number), curves.at(number));
+        let [from, to] = curves.at(number);
         let scaled = control.map(|p| p * pattern.units_per_uv);
         let visible = Visible::of(pattern.visible(number));
         let turn_rad = turn_rad(&scaled);

@@ -24,6 +24,7 @@ const PARTS: usize = 4;
 
 /// Slopes are no less than this, so that parallel lines have a ratio.
 const LEAST: f32 = 1e-15;
+const LEAST_SLOPE: f64 = 1e-200;
 
 /// Numbers of a strip.
 #[derive(Clone, Copy)]
@@ -41,6 +42,9 @@ enum Of {
 }
 
 const NUMBERS: usize = 8;
+
+/// Where strips' middles are, from -1 to 1 across the scratch.
+const OFF_MIDDLE: [f64; STRIPS] = [-0.875, -0.625, -0.375, -0.125, 0.125, 0.375, 0.625, 0.875];
 
 /// Number by number.
 type Eight = [[f32; EIGHT]; NUMBERS];
@@ -71,17 +75,17 @@ impl Laid {
         }
         let lines = Lines::of(way);
         let left = in_lanes!(lanes => lines.left(lanes, &self.eights));
-        core::array::from_fn(|i| left[i] * single(way.to[i] - way.from[i]))
+        let whole = way.whole();
+        core::array::from_fn(|i| left[i] * whole[i])
     }
 
     /// Lays a chord under the others; false if there is no room.
     pub(super) fn lay(&mut self, way: &Way) -> bool {
-        let [start, end] = way.chord;
         let place = self.count % EIGHT;
         if place == 0 && self.eights.try_push([[0.0; EIGHT]; NUMBERS]).is_err() {
             return false;
         }
-        let along = (end - start).normalize_or(DVec2::X);
+        let (start, along) = (way.start, way.along);
         let normal = along.perp();
         let Some(eight) = self.eights.last_mut() else {
             return false;
@@ -94,7 +98,7 @@ impl Laid {
             (Of::AlongX, along.x),
             (Of::AlongY, along.y),
             (Of::Start, along.dot(start)),
-            (Of::Length, start.distance(end)),
+            (Of::Length, along.dot(way.end - start)),
         ] {
             eight[number as usize][place] = single(value);
         }
@@ -107,82 +111,83 @@ impl Laid {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
     /// mm.
-    chord: [DVec2; 2],
+    start: DVec2,
+    end: DVec2,
+    /// Unit direction.
+    along: DVec2,
     half_width_mm: f64,
     /// Where each line enters and leaves the footprint, as shares of the chord; nowhere unless to > from.
     from: [f64; STRIPS],
     to: [f64; STRIPS],
+    /// From where to where any does.
+    pub stretch: [f64; 2],
 }
 
 impl Way {
     /// Nothing if none of it does.
-    pub(super) fn within(footprint: &Region, chord: [DVec2; 2], width_mm: f64) -> Option<Self> {
-        let [a, b] = chord;
+    pub(super) fn within(footprint: &Region, [a, b]: [DVec2; 2], width_mm: f64) -> Option<Self> {
         let half_width_mm = 0.5 * width_mm;
-        let across = half_width_mm * to_the_right(b - a);
-        let mut way = Self {
-            chord,
-            half_width_mm,
-            from: [0.0; STRIPS],
-            to: [1.0; STRIPS],
-        };
+        let along = (b - a).normalize_or(DVec2::X);
+        let across = -half_width_mm * along.perp();
+        let (mut from, mut to) = ([0.0; STRIPS], [1.0; STRIPS]);
         for (p, q) in footprint.edges() {
             let edge = q - p;
             let [at_a, at_b, beside] = [a - p, b - p, across].map(|v| edge.perp_dot(v));
+            let away = -beside.abs();
+            if at_a < away && at_b < away {
+                return None;
+            }
             let slope = at_b - at_a;
-            for (i, (from, to)) in way.from.iter_mut().zip(&mut way.to).enumerate() {
-                let at = at_a + beside * off_middle(i);
-                let place = -at / slope;
-                match slope {
-                    _ if slope > 0.0 => *from = from.max(place),
-                    _ if slope < 0.0 => *to = to.min(place),
-                    _ if at < 0.0 => *to = f64::NEG_INFINITY,
-                    _ => {}
+            let slope = if slope.abs() > LEAST_SLOPE {
+                slope
+            } else {
+                LEAST_SLOPE
+            };
+            let (middle, spread) = (-at_a / slope, -beside / slope);
+            let places = OFF_MIDDLE.map(|off| middle + spread * off);
+            // Written so that each is one instruction.
+            if slope > 0.0 {
+                for (from, place) in from.iter_mut().zip(places) {
+                    *from = if place > *from { place } else { *from };
+                }
+            } else {
+                for (to, place) in to.iter_mut().zip(places) {
+                    *to = if place < *to { place } else { *to };
                 }
             }
         }
-        let mut is_held = false;
-        for (from, to) in way.from.iter_mut().zip(&mut way.to) {
-            match to > from {
-                true => is_held = true,
-                false => (*from, *to) = (0.0, 0.0),
+        let mut stretch = [1.0, 0.0];
+        for (from, to) in from.iter().zip(&mut to) {
+            if *to > *from {
+                let [first, last] = stretch;
+                stretch = [
+                    if *from < first { *from } else { first },
+                    if *to > last { *to } else { last },
+                ];
+            } else {
+                *to = *from;
             }
         }
-        is_held.then_some(way)
-    }
-
-    /// From where to where any line lies in the footprint, as shares of the chord.
-    pub(super) fn stretch(&self) -> [f64; 2] {
-        let held = self
-            .from
-            .iter()
-            .zip(&self.to)
-            .filter(|(from, to)| to > from);
-        held.fold([1.0, 0.0], |[first, last], (from, to)| {
-            [from.min(first), to.max(last)]
+        (stretch[1] > stretch[0]).then_some(Self {
+            start: a,
+            end: b,
+            along,
+            half_width_mm,
+            from,
+            to,
+            stretch,
         })
     }
 
     /// What of the chord's own line lies beside what lines have in the footprint.
     fn middle(&self) -> [DVec2; 2] {
-        let [start, end] = self.chord;
-        self.stretch().map(|share| start.lerp(end, share))
+        self.stretch.map(|share| self.start.lerp(self.end, share))
     }
 
     /// What of the chord each line has in the footprint.
     pub(super) fn whole(&self) -> Strips {
         core::array::from_fn(|i| single(self.to[i] - self.from[i]))
     }
-}
-
-fn to_the_right(travel: DVec2) -> DVec2 {
-    let along = travel.normalize_or(DVec2::X);
-    DVec2::new(along.y, -along.x)
-}
-
-/// Where a strip's middle is, from -1 to 1 across the scratch.
-fn off_middle(strip: usize) -> f64 {
-    (2 * strip + 1) as f64 / STRIPS as f64 - 1.0
 }
 
 /// Lines along a way, single.
@@ -197,6 +202,19 @@ struct Lines {
     /// Where each begins, as a share of the way, and how many of its parts are as long.
     from: Strips,
     parts: Strips,
+    /// Where the last of them has begun and the first one ends, and where they begin and how long they are on average.
+    common: [f32; 2],
+    mean: [f32; 2],
+}
+
+/// How strips lie to all lines, side by side.
+struct Crossing<F> {
+    /// Where the middle of the way comes under each strip and leaves it, in parts.
+    covered: [F; 2],
+    /// Above 0 where some line comes under it.
+    touches: F,
+    /// Above 0 where all lines do, for as long, from side to side.
+    alike: F,
 }
 
 /// How a strip lies to a way: how far beside it is the way's start, and how far behind its own start; how both change to the
@@ -210,59 +228,130 @@ struct Meeting {
 
 impl Lines {
     fn of(way: &Way) -> Self {
-        let [a, b] = way.chord;
-        let [first, last] = way.stretch();
-        let (start, end) = (a.lerp(b, first), a.lerp(b, last));
-        let share = |at: f64| (at - first) / (last - first);
-        let parts = |i: usize| PARTS as f64 / (share(way.to[i]) - share(way.from[i]));
-        let held = |i: usize| way.to[i] > way.from[i];
-        Self {
+        let [start, end] = way.middle();
+        let [first, last] = way.stretch;
+        let per_way = 1.0 / (last - first);
+        let half_width = single(way.half_width_mm);
+        let mut lines = Self {
             start: start.as_vec2(),
             way: (end - start).as_vec2(),
-            across: to_the_right(b - a).as_vec2(),
-            half_width: single(way.half_width_mm),
-            off: core::array::from_fn(|i| single(way.half_width_mm * off_middle(i))),
-            from: core::array::from_fn(|i| single(share(way.from[i]))),
-            parts: core::array::from_fn(|i| if held(i) { single(parts(i)) } else { 0.0 }),
+            across: -way.along.perp().as_vec2(),
+            half_width,
+            off: OFF_MIDDLE.map(|off| half_width * single(off)),
+            from: way.from.map(|at| single((at - first) * per_way)),
+            parts: Strips::default(),
+            common: [0.0, 1.0],
+            mean: [0.0; 2],
+        };
+        let (mut count, mut sums) = (0.0, [0.0; 2]);
+        for (i, whole) in way.whole().into_iter().enumerate() {
+            let length = whole * single(per_way);
+            let is_held = length > 0.0;
+            let (from, to) = (lines.from[i], lines.from[i] + length);
+            let [begun, ends] = lines.common;
+            if is_held {
+                count += 1.0;
+                sums = [sums[0] + from, sums[1] + length];
+                lines.parts[i] = PARTS as f32 / length;
+                lines.common = [begun.max(from), ends.min(to)];
+            }
         }
+        lines.mean = sums.map(|sum| sum / count);
+        lines
     }
 
     /// The share of each that strips leave.
     #[inline(always)]
     fn left<L: Lanes>(&self, lanes: L, eights: &[Eight]) -> Strips {
+        let (none, one) = (lanes.all(0.0), lanes.all(1.0));
         let mut left = [[1.0; STRIPS]; PARTS];
+        let mut of_all = [one; PARTS];
         for eight in eights {
             for first in (0..EIGHT).step_by(L::WIDTH) {
-                let touches = self.touches(lanes, eight, first);
-                if !touches.any() {
+                let crossing = self.crossing(lanes, eight, first);
+                if !crossing.touches.any() {
+                    continue;
+                }
+                for (i, left) in of_all.iter_mut().enumerate() {
+                    let [enters, leaves] = crossing.covered;
+                    let covered = within(none, leaves - i as f32) - within(none, enters - i as f32);
+                    *left = crossing
+                        .alike
+                        .if_above(none, *left * (one - covered), *left);
+                }
+                let unlike = crossing.alike.if_above(none, none, crossing.touches);
+                if !unlike.any() {
                     continue;
                 }
                 for lane in 0..L::WIDTH {
-                    if touches.lane(lane) > 0.0 {
+                    if unlike.lane(lane) > 0.0 {
                         self.cut(lanes, &self.meeting(eight, first + lane), &mut left);
                     }
                 }
             }
         }
-        core::array::from_fn(|i| left.iter().map(|part| part[i]).sum::<f32>() / PARTS as f32)
+        let of_all = of_all.map(|left| (0..L::WIDTH).map(|lane| left.lane(lane)).product::<f32>());
+        let mean = |i: usize| {
+            let parts = left.iter().zip(&of_all);
+            parts.map(|(part, all)| part[i] * all).sum::<f32>() / PARTS as f32
+        };
+        core::array::from_fn(mean)
     }
 
-    /// Above 0 for strips that may cover any of it.
     #[inline(always)]
-    fn touches<L: Lanes>(&self, lanes: L, eight: &Eight, first: usize) -> L::F {
-        let load = |number: Of| lanes.load(&eight[number as usize][first..]);
-        let dot = |[x, y]: [L::F; 2], v: Vec2| x * v.x + y * v.y;
-        let normal = [load(Of::NormalX), load(Of::NormalY)];
-        let from = dot(normal, self.start) - load(Of::Offset);
-        let to = from + dot(normal, self.way);
-        let near = load(Of::HalfWidth) + self.half_width;
-        let beside = (near - from.min(to)).min(near + from.max(to));
-        let along = [load(Of::AlongX), load(Of::AlongY)];
-        let from = dot(along, self.start) - load(Of::Start);
-        let to = from + dot(along, self.way);
-        let before = from.max(to) + self.half_width;
-        let behind = load(Of::Length) + self.half_width - from.min(to);
-        beside.min(before).min(behind)
+    fn crossing<L: Lanes>(&self, lanes: L, eight: &Eight, first: usize) -> Crossing<L::F> {
+        let half_width = load(lanes, eight, Of::HalfWidth, first);
+        let (sides, aside) = self.between(
+            lanes,
+            [
+                load(lanes, eight, Of::NormalX, first),
+                load(lanes, eight, Of::NormalY, first),
+            ],
+            load(lanes, eight, Of::Offset, first),
+            [-half_width, half_width],
+        );
+        let (ends, ahead) = self.between(
+            lanes,
+            [
+                load(lanes, eight, Of::AlongX, first),
+                load(lanes, eight, Of::AlongY, first),
+            ],
+            load(lanes, eight, Of::Start, first),
+            [lanes.all(0.0), load(lanes, eight, Of::Length, first)],
+        );
+        let all_of_it = [sides[0] - aside, sides[1] + aside];
+        let from = all_of_it[0].max(ends[0] - ahead);
+        let to = all_of_it[1].min(ends[1] + ahead);
+        let before = all_of_it[0] - (ends[0] + ahead).max(lanes.all(self.common[0]));
+        let behind = (ends[1] - ahead).min(lanes.all(self.common[1])) - all_of_it[1];
+        let per_part = PARTS as f32 / self.mean[1];
+        let [enters, leaves] = sides;
+        Crossing {
+            covered: [
+                (enters - self.mean[0]) * per_part,
+                (leaves - self.mean[0]) * per_part,
+            ],
+            touches: (to - from).min(to).min(-from + 1.0),
+            alike: before.min(behind),
+        }
+    }
+
+    /// Where the middle is between two bounds along axes, and how far from there lines up to its sides may be.
+    #[inline(always)]
+    fn between<L: Lanes>(
+        &self,
+        lanes: L,
+        [x, y]: [L::F; 2],
+        offset: L::F,
+        [first, last]: [L::F; 2],
+    ) -> ([L::F; 2], L::F) {
+        let slope = x * self.way.x + y * self.way.y;
+        let per_way = lanes.all(1.0) / average::not_nothing(lanes, slope);
+        let here = x * self.start.x + y * self.start.y - offset;
+        let (a, b) = ((first - here) * per_way, (last - here) * per_way);
+        let right = x * self.across.x + y * self.across.y;
+        let spread = right * per_way * self.half_width;
+        ([a.min(b), a.max(b)], spread.max(-spread))
     }
 
     #[inline(always)]
@@ -292,14 +381,8 @@ impl Lines {
         let (half_width, length) = (meeting.half_width, meeting.length);
         for first in (0..STRIPS).step_by(L::WIDTH) {
             let off = lanes.load(&self.off[first..]);
-            let places = |[at, slope, right]: [f32; 3], bounds: [f32; 2]| {
-                let per_way = 1.0 / not_nothing(slope);
-                let here = off * right + at;
-                let [a, b] = bounds.map(|bound| (-here + bound) * per_way);
-                [a.min(b), a.max(b)]
-            };
-            let sides = places(meeting.beside, [-half_width, half_width]);
-            let ends = places(meeting.behind, [0.0, length]);
+            let sides = places(off, meeting.beside, [-half_width, half_width]);
+            let ends = places(off, meeting.behind, [0.0, length]);
             let (from, parts) = (
                 lanes.load(&self.from[first..]),
                 lanes.load(&self.parts[first..]),
@@ -307,13 +390,38 @@ impl Lines {
             let enters = (sides[0].max(ends[0]) - from) * parts;
             let leaves = (sides[1].min(ends[1]) - from) * parts;
             for (i, left) in left.iter_mut().enumerate() {
-                let within = |at: L::F| (at - i as f32).max(none).min(one);
-                let covered = (within(leaves) - within(enters)).max(none);
+                let (to, from) = (
+                    within(none, leaves - i as f32),
+                    within(none, enters - i as f32),
+                );
+                let covered = (to - from).max(none);
                 let left = &mut left[first..];
                 lanes.store(lanes.load(left) * (one - covered), left);
             }
         }
     }
+}
+
+/// A number of [`Lanes::WIDTH`] strips.
+#[inline(always)]
+fn load<L: Lanes>(lanes: L, eight: &Eight, number: Of, first: usize) -> L::F {
+    lanes.load(&eight[number as usize][first..])
+}
+
+/// Where lines so far off the middle are between two bounds, from how far the middle's start is, and how that changes to its
+/// end and to its right.
+#[inline(always)]
+fn places<F: Number>(off: F, [at, slope, right]: [f32; 3], [first, last]: [f32; 2]) -> [F; 2] {
+    let per_way = 1.0 / not_nothing(slope);
+    let here = off * right + at;
+    let (a, b) = ((-here + first) * per_way, (-here + last) * per_way);
+    [a.min(b), a.max(b)]
+}
+
+/// No less than nothing and no more than 1.
+#[inline(always)]
+fn within<F: Number>(none: F, at: F) -> F {
+    at.max(none).min(none.like(1.0))
 }
 
 fn not_nothing(slope: f32) -> f32 {

@@ -72,7 +72,7 @@ impl Pattern {
                     return;
                 };
                 is_held = true;
-                let (areas, strips) = chord.areas_left(way.stretch(), |mean| {
+                let (areas, strips) = chord.areas_left(way.stretch, |mean| {
                     let left = laid.left_of(&way);
                     if laid.lay(&way) {
                         left

@@ -1,6 +1,6 @@
 //! What strips leave of a way on average over its width: less to do than line by line, and as true where many lie over it.
 
-use super::{EIGHT, Eight, LEAST, Of};
+use super::{EIGHT, Eight, LEAST, Of, load};
 use crate::lanes::{Lanes, Number};
 use glam::DVec2;
 
@@ -20,19 +20,32 @@ pub(super) fn left_of<L: Lanes>(
     let mut left = one;
     for eight in eights {
         for first in (0..EIGHT).step_by(L::WIDTH) {
-            let load = |number: Of| lanes.load(&eight[number as usize][first..]);
-            let (x, y) = (load(Of::AlongX), load(Of::AlongY));
-            let start = load(Of::Start) - (x * from.x + y * from.y);
+            let (x, y) = (
+                load(lanes, eight, Of::AlongX, first),
+                load(lanes, eight, Of::AlongY, first),
+            );
+            let start = load(lanes, eight, Of::Start, first) - (x * from.x + y * from.y);
             let slope = not_nothing(lanes, x * way.x + y * way.y);
-            let (a, b) = (start / slope, (start + load(Of::Length)) / slope);
+            let (a, b) = (
+                start / slope,
+                (start + load(lanes, eight, Of::Length, first)) / slope,
+            );
             let enters = a.min(b).max(none).min(one);
             let leaves = a.max(b).max(none).min(one);
             // How far the way is beside the strip where it enters what lies between its ends, and where it leaves.
-            let (x, y) = (load(Of::NormalX), load(Of::NormalY));
-            let beside = x * from.x + y * from.y - load(Of::Offset);
+            let (x, y) = (
+                load(lanes, eight, Of::NormalX, first),
+                load(lanes, eight, Of::NormalY, first),
+            );
+            let beside = x * from.x + y * from.y - load(lanes, eight, Of::Offset, first);
             let slope = x * way.x + y * way.y;
             let ends = [beside + slope * enters, beside + slope * leaves];
-            let share = overlap(lanes, ends, load(Of::HalfWidth), half_width);
+            let share = overlap(
+                lanes,
+                ends,
+                load(lanes, eight, Of::HalfWidth, first),
+                half_width,
+            );
             left = left * (-(share * (leaves - enters)) + 1.0);
         }
     }
@@ -72,7 +85,7 @@ fn shared_to<F: Number>(none: F, [touch, inside]: [F; 2], at: F) -> F {
 }
 
 #[inline(always)]
-fn not_nothing<L: Lanes>(lanes: L, slope: L::F) -> L::F {
+pub(super) fn not_nothing<L: Lanes>(lanes: L, slope: L::F) -> L::F {
     let least = lanes.all(LEAST);
     (slope * slope).if_above(least * least, slope, least)
 }
