@@ -3,10 +3,13 @@
 //! Which of the two runs is decided at run time, by what the processor has. Both do the same operations in the same order
 //! for each number, so that they agree to rounding.
 
+mod first;
+
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::sync::atomic::{AtomicBool, Ordering};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, f32x8, u16x8};
+pub(crate) use first::{first_below_any, first_of};
 
 /// Whether registers of eight may be used at all.
 static ALLOWED: AtomicBool = AtomicBool::new(true);

@@ -5,7 +5,7 @@
 //! that w comes from, a facet is seen up to where its key passes the horizon so far. Agrees with the
 //! paper's GS (GL + GR - 1) of section 4.2 for all facets at once.
 
-use crate::lanes::{Lanes, Number};
+use crate::lanes::{Lanes, Number, first_below_any};
 
 /// A direction as a cross-section sees it.
 #[derive(Clone, Copy, Debug)]
@@ -170,34 +170,6 @@ pub(super) fn part<F: Number>(end: F, leftwards: bool) -> [F; 2] {
     } else {
         [end, end.like(1.0)]
     }
-}
-
-/// The first `count` numbers, none of which is below 0, and 0 in place of those after them.
-#[inline(always)]
-pub(super) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
-    up_to(lanes, count, numbers, const { &bounds(0.0) })
-}
-
-/// The first `count` numbers, and what none is below in place of those after them.
-#[inline(always)]
-pub(super) fn first_below_any<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
-    up_to(lanes, count, numbers, const { &bounds(f32::NEG_INFINITY) })
-}
-
-/// Any number's bound as often as there are lanes, then another one's.
-const fn bounds(last: f32) -> [f32; 16] {
-    let any = f32::INFINITY;
-    [
-        any, any, any, any, any, any, any, any, last, last, last, last, last, last, last, last,
-    ]
-}
-
-#[inline(always)]
-fn up_to<L: Lanes>(lanes: L, count: usize, numbers: L::F, bounds: &[f32; 16]) -> L::F {
-    if count >= L::WIDTH {
-        return numbers;
-    }
-    numbers.min(lanes.load(&bounds[8 - count.min(8)..]))
 }
 
 #[cfg(test)]

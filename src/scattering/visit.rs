@@ -2,9 +2,9 @@
 
 use super::flocks::{Flock, Over};
 use super::relief::{Relief, Zones, packed, unpacked};
-use super::visibility::{Across, Part, Parts, first_of};
+use super::visibility::{Across, Part, Parts};
 use crate::brdf::Pair;
-use crate::lanes::{Lanes, Number, One};
+use crate::lanes::{Lanes, Number, One, first_of};
 use glam::Vec3;
 
 /// A facet of a scratch, or the flat surface: what of the pixel it is. Or several facets of one finish side by side.

@@ -4,18 +4,13 @@
 use super::cell::Cell;
 use super::cover::{HIDDEN, Left, cut};
 use super::meet::{EIGHT, NOWHERE, Numbers, PLACE, Seen, Window};
-use crate::lanes::{Lanes, Number, in_lanes};
+use crate::lanes::{Lanes, Number, first_of, in_lanes};
 use crate::single;
 use glam::DVec2;
 
 /// Strips of a part that are compared with all others. Of more, every so manyth counts for its neighbours, so that
 /// heaps take no longer than they must.
 const MOST: usize = 128;
-
-/// From so many places before the middle on: as many that count, and others that do not.
-const COUNTED: [f32; 2 * EIGHT] = [
-    1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-];
 
 /// Strips of a part.
 #[derive(Default)]
@@ -190,13 +185,12 @@ fn cover<L: Lanes>(
                 continue;
             };
             let count = count.saturating_sub(first + k);
-            let counts = lanes.load(&COUNTED[EIGHT - count.min(EIGHT)..]);
             for quarter in 0..4 {
                 let left = &mut block.left[quarter][k..];
-                let rest = -(meeting.quarters[quarter] * counts) + 1.0;
+                let rest = -first_of(lanes, count, meeting.quarters[quarter]) + 1.0;
                 lanes.store(lanes.load(left) * rest, left);
             }
-            if (meeting.unsure * counts).any() {
+            if first_of(lanes, count, meeting.unsure).any() {
                 for lane in 0..L::WIDTH.min(count) {
                     if meeting.unsure.lane(lane) > 0.0 {
                         unsure.push(first + k + lane);

@@ -1,9 +1,9 @@
 //! A cross-section prepared for one view: which parts of its facets are seen, and how much of the pixel they are.
 
 use super::{LONGEST_SHADOW, MOST_SLOTS, Relief, Zones, scaled_up};
-use crate::lanes::{Lanes, Number, in_lanes};
+use crate::lanes::{Lanes, Number, first_below_any, first_of, in_lanes};
 use crate::scattering::footprint::Weight;
-use crate::scattering::visibility::{Across, Parts, first_below_any, first_of};
+use crate::scattering::visibility::{Across, Parts};
 use glam::{Vec2, Vec3};
 
 /// Those of a register's places.

@@ -1,0 +1,31 @@
+//! The first few of the numbers in a register.
+
+use super::{EIGHT, Lanes, Number};
+
+/// The first `count` numbers, none of which is below 0, and 0 in place of those after them.
+#[inline(always)]
+pub(crate) fn first_of<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+    up_to(lanes, count, numbers, const { &bounds(0.0) })
+}
+
+/// The first `count` numbers, and what none is below in place of those after them.
+#[inline(always)]
+pub(crate) fn first_below_any<L: Lanes>(lanes: L, count: usize, numbers: L::F) -> L::F {
+    up_to(lanes, count, numbers, const { &bounds(f32::NEG_INFINITY) })
+}
+
+/// Any number's bound as often as there are lanes, then another one's.
+const fn bounds(last: f32) -> [f32; 2 * EIGHT] {
+    let any = f32::INFINITY;
+    [
+        any, any, any, any, any, any, any, any, last, last, last, last, last, last, last, last,
+    ]
+}
+
+#[inline(always)]
+fn up_to<L: Lanes>(lanes: L, count: usize, numbers: L::F, bounds: &[f32; 2 * EIGHT]) -> L::F {
+    if count >= L::WIDTH {
+        return numbers;
+    }
+    numbers.min(lanes.load(&bounds[EIGHT - count.min(EIGHT)..]))
+}
