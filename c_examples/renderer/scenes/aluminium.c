@@ -114,7 +114,7 @@ bool scene_aluminium(Scene *scene, char error[SCENE_ERROR_SIZE]) {
                              .heading_deg = -84.0,
                              .elevation_deg = 52.0,
                              .distance = 16.0,
-                             .width_deg = 25.5,
+                             .width_deg = 30.0,
                              .aside = {0.0, -0.1, 0.0},
                              .lens_radius = 0.06};
     scene->view_count = 1;
