@@ -5,7 +5,7 @@ use super::tracks::TrackRef;
 use crate::single;
 use glam::Vec2;
 
-/// Stations that a mean is taken over; the farther ones of a longer stretch count with the last of these.
+/// Shapes that a mean is taken over: of more stations only every other counts, or every third, and so on.
 const MOST_SHAPES: usize = 24;
 
 /// Weighted shapes at equal distances in an array.
@@ -50,12 +50,19 @@ impl<'p> Profile<'p> {
         let values = course.turns(from, to);
         let [low, high] = course.extremes(from, to);
         let first = track.locate(low).0;
-        let end = (track.locate(high).0 + 1)
-            .min(last)
-            .min(first + MOST_SHAPES - 1);
+        let stations = (track.locate(high).0 + 1).min(last) - first;
+        let step = stations.div_ceil(MOST_SHAPES - 1).max(1);
+        let shapes = stations.div_ceil(step).min((last - first) / step) + 1;
         let mut weights = [0.0; MOST_SHAPES];
+        // Stations lie as close as shapes change: one that does not count is a mix of its neighbours that do.
         let mut add = |station: usize, weight: f64| {
-            weights[station.clamp(first, end) - first] += single(weight);
+            let off = station.clamp(first, first + (shapes - 1) * step) - first;
+            let (shape, beyond) = (off / step, off % step);
+            let mix = beyond as f64 / step as f64;
+            weights[shape] += single(weight * (1.0 - mix));
+            if beyond > 0 {
+                weights[shape + 1] += single(weight * mix);
+            }
         };
         for [[at_a, a], [at_b, b]] in values {
             // Between two turns the value runs evenly, and each station's share of the way is known.
@@ -86,12 +93,12 @@ impl<'p> Profile<'p> {
                 (station, at) = (next, stop);
             }
         }
-        let (vertices, stride) = (track.shapes_from(first), track.vertex_count());
-        let shapes = end - first + 1;
+        let (vertices, vertex_count) = (track.shapes_from(first), track.vertex_count());
+        let stride = step * vertex_count;
         Self {
             vertices,
             stride,
-            vertex_count: sound(vertices, shapes, [stride; 2]),
+            vertex_count: sound(vertices, shapes, [stride, vertex_count]),
             weights,
             shapes,
         }
@@ -143,5 +150,55 @@ fn sound(vertices: &[Vec2], shapes: usize, [stride, vertex_count]: [usize; 2]) -
         vertex_count
     } else {
         0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::track::Track;
+    use crate::pattern::tracks::Tracks;
+
+    /// Where a scratch sets in it widens fast, over many stations: the mean of a stretch is as wide as its cross-sections are
+    /// on average, however many those are.
+    #[test]
+    fn mean_of_many_stations() {
+        let count = 200_u16;
+        let at: Vec<f64> = (0..count).map(|i| (f64::from(i) / 199.0).powi(2)).collect();
+        let width = |at: f64| single(at.sqrt());
+        let sides = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
+        let station = |at: &f64| sides.map(|side| Vec2::new(side * width(*at), 0.0));
+        let mut tracks = Tracks::default();
+        tracks.push(&Track {
+            vertices: at.iter().flat_map(station).collect(),
+            at,
+            vertex_count: sides.len(),
+            caps: Default::default(),
+            finishes: Default::default(),
+        });
+        let track = tracks.get(0).unwrap();
+        let knots = [[0.0, 0.0], [1.0, 1.0]];
+        let course = Course {
+            knots: &knots,
+            scale: 1.0,
+        };
+        for [from, to] in [
+            [0.0, 0.01],
+            [0.0, 0.1],
+            [0.0, 0.5],
+            [0.0, 1.0],
+            [0.2, 0.9],
+            [0.7, 1.0],
+        ] {
+            let found = Profile::mean(&track, &course, [from, to]).half_width_mm();
+            let steps = 10_000;
+            let place = |i: i32| from + (to - from) * (f64::from(i) + 0.5) / f64::from(steps);
+            let widths = (0..steps).map(|i| track.half_width_of(track.locate(place(i))));
+            let wanted = widths.sum::<f64>() / f64::from(steps);
+            assert!(
+                (found / wanted - 1.0).abs() < 2e-3,
+                "{from} to {to}: {found}, not {wanted}"
+            );
+        }
     }
 }
