@@ -1,7 +1,7 @@
 //! Where scratches cross, the later one cuts the earlier: its groove and peaks replace what was there.
 
 use super::hit::Hit;
-use super::lines::{Left, Lines, Stretches};
+use super::lines::{Cuts, Left, Lines};
 use super::region::Region;
 use arrayvec::ArrayVec;
 
@@ -10,9 +10,6 @@ const LEAST_PART: f64 = 1e-9;
 
 /// How far beside a scratch's edge cuts still matter, as a share of its width: parallax shows the scratch there.
 const BESIDE: f64 = 1.0;
-
-/// Later runs whose cuts are measured.
-const MOST_CUTS: usize = 64;
 
 /// Runs in the order in which they were scratched.
 #[derive(Clone, Copy, Debug)]
@@ -38,11 +35,11 @@ impl<'c, 'p> Crossing<'c, 'p> {
     }
 
     /// Cuts from the one region in `left`, which belongs to run `i`, what later runs take of it; false if that leaves too
-    /// many parts.
-    pub(crate) fn cut<const MOST_PARTS: usize>(
+    /// many parts, or too many corners.
+    pub(crate) fn cut<const MOST: usize>(
         &self,
         i: usize,
-        left: &mut ArrayVec<Region, MOST_PARTS>,
+        left: &mut ArrayVec<Region, MOST>,
         pixel_area: f64,
     ) -> bool {
         let least_area = LEAST_PART * pixel_area;
@@ -59,11 +56,11 @@ impl<'c, 'p> Crossing<'c, 'p> {
         };
         let lines = Lines::along(&run.line, cover);
         let whole = lines.within(cover.edges().map(|(a, b)| [a, (b - a).perp()]));
-        let mut cuts: ArrayVec<Stretches, MOST_CUTS> = ArrayVec::new();
+        let mut cuts = Cuts::new();
         let later = self.cutting(i, run.ends_mm);
         let all = later.map(|later| lines.within(later.borders(later.ends_mm)));
-        cuts.extend(all.filter(|cut| cut.meet(&whole)).take(MOST_CUTS));
-        lines.left(&whole, &mut cuts)
+        cuts.extend(all.filter(|cut| cut.meet(&whole)).take(cuts.capacity()));
+        lines.left(&whole, &cuts)
     }
 
     /// Later ones that may cut what run `i` has between two distances across.
@@ -89,10 +86,10 @@ fn beside(run: &Hit<'_>) -> [f64; 2] {
     [from - beside, to + beside]
 }
 
-/// Cuts what one run covers from some parts; false if that leaves too many.
-fn cut_by<const MOST_PARTS: usize>(
+/// Cuts what one run covers from some parts; false if that leaves too many, or too many corners.
+fn cut_by<const MOST: usize>(
     later: &Hit<'_>,
-    left: &mut ArrayVec<Region, MOST_PARTS>,
+    left: &mut ArrayVec<Region, MOST>,
     least_area: f64,
 ) -> bool {
     let borders = later.borders(later.ends_mm);
@@ -105,6 +102,9 @@ fn cut_by<const MOST_PARTS: usize>(
             continue;
         }
         let mut rest = left.swap_remove(part);
+        if !rest.has_room(borders.len()) {
+            return false;
+        }
         for [origin, inward] in borders {
             let outside = rest.clipped(origin, -inward);
             if let Some(outside) = outside.filter(|outside| outside.area() > least_area)

@@ -4,10 +4,17 @@ use super::center_line::CenterLine;
 use super::region::Region;
 use super::strips::{STRIPS, Strips, shares};
 use crate::single;
+use arrayvec::ArrayVec;
 use glam::DVec2;
 
 /// Lines beside one another, each in the middle of its share of the width.
 const LINES: usize = STRIPS;
+
+/// Others whose cuts are measured.
+const MOST_CUTS: usize = 64;
+
+/// What others cover of some lines.
+pub(super) type Cuts = ArrayVec<Stretches, MOST_CUTS>;
 
 pub(super) struct Lines {
     line: CenterLine,
@@ -53,8 +60,8 @@ impl Lines {
         }
     }
 
-    /// What cuts, which are put in another order, leave of a run that reaches so far along them.
-    pub(super) fn left(&self, whole: &Stretches, cuts: &mut [Stretches]) -> Left {
+    /// What cuts leave of a run that reaches so far along them.
+    pub(super) fn left(&self, whole: &Stretches, cuts: &Cuts) -> Left {
         let [left, all] = whole.beside(cuts, &self.line);
         Left::new([self.low_mm, self.step_mm], left, all)
     }
@@ -95,18 +102,22 @@ impl Stretches {
     }
 
     /// How much of each line none of `cuts` covers, and how much there is, mm.
-    fn beside(&self, cuts: &mut [Self], line: &CenterLine) -> [[f64; LINES]; 2] {
+    fn beside(&self, cuts: &Cuts, line: &CenterLine) -> [[f64; LINES]; 2] {
         let (mut left, mut whole) = ([0.0; LINES], [0.0; LINES]);
+        let mut own: ArrayVec<[f64; 2], MOST_CUTS> = ArrayVec::new();
         for i in 0..LINES {
             let [mut at, end] = [self.from[i], self.to[i]];
             if end <= at {
                 continue;
             }
             whole[i] = line.span([at, end]);
-            cuts.sort_unstable_by(|a, b| a.from[i].total_cmp(&b.from[i]));
-            for cut in cuts.iter().filter(|cut| cut.to[i] > cut.from[i]) {
-                left[i] += line.span([at, cut.from[i].min(end)]).max(0.0);
-                at = at.max(cut.to[i]).min(end);
+            let all = cuts.iter().map(|cut| [cut.from[i], cut.to[i]]);
+            own.clear();
+            own.extend(all.filter(|&[from, to]| from.max(at) < to.min(end)));
+            own.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
+            for &[from, to] in &own {
+                left[i] += line.span([at, from]).max(0.0);
+                at = at.max(to).min(end);
             }
             left[i] += line.span([at, end]);
         }
@@ -205,11 +216,11 @@ mod tests {
             };
             let ends = [[DVec2::ZERO, DVec2::X], [DVec2::X * length, -DVec2::X]];
             let whole = lines.within(ends);
-            let mut cuts: Vec<Stretches> = strips
+            let cuts: Cuts = strips
                 .iter()
                 .map(|borders| lines.within(*borders))
                 .collect();
-            let left = lines.left(&whole, &mut cuts).mean;
+            let left = lines.left(&whole, &cuts).mean;
             let worst = 0.5 / LINES as f64;
             assert!((left - truth).abs() < worst, "{left}, not {truth}");
             off += (left - truth).abs() / 40.0;

@@ -106,6 +106,13 @@ impl Pattern {
         self.pieces_near(low, high, found)
     }
 
+    /// How many scratches these pieces, in their order, are of.
+    pub(crate) fn scratches_of(&self, candidates: &Candidates) -> usize {
+        let pieces = self.curves().pieces;
+        let scratch = |&number: &u32| pieces.get(number as usize).map(|piece| piece.scratch);
+        candidates.chunk_by(|a, b| scratch(a) == scratch(b)).count()
+    }
+
     /// The pieces near a box in (u, v); false if they are too many.
     #[inline(always)]
     pub(crate) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 /// Corners of a region: each line that cuts a parallelogram adds one at most.
-pub(crate) const MOST_CORNERS: usize = 16;
+pub(crate) const MOST_CORNERS: usize = 12;
 
 /// The thinnest footprint, mm. A nanometre is far below what a cross-section means, and keeps a point
 /// footprint a polygon like all others.
@@ -67,6 +67,11 @@ impl Region {
         let mut last = corners.last().copied().unwrap_or_default();
         let edge = move |corner: &DVec2| (core::mem::replace(&mut last, *corner), *corner);
         corners.iter().map(edge)
+    }
+
+    /// Whether it has room for the corners that so many cuts may add.
+    pub(crate) fn has_room(&self, cuts: usize) -> bool {
+        self.count + cuts <= MOST_CORNERS
     }
 
     /// From where to where it reaches from a point in a direction.

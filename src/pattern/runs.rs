@@ -30,6 +30,9 @@ const LEAST_WIDENING: f64 = 0.5;
 const SMALL_PART: f64 = 0.02;
 const MOST_SLACK: f64 = 4.0;
 
+/// Beside more pieces than so many each counts for less, and a larger share of the footprint is small.
+const FEW_PIECES: f64 = 6.0;
+
 /// A piece is cut into at most 2 to the power of this many runs.
 const MOST_HALVINGS: u32 = 16;
 
@@ -71,11 +74,13 @@ impl Pattern {
         visit: &mut impl FnMut(&Hit<'p>) -> ControlFlow<()>,
     ) -> bool {
         let near = reach.footprint.half_size() + reach.reach_mm;
+        let many = (candidates.len() as f64 / FEW_PIECES).max(1.0);
         let mut walk = Walk {
             pattern: self,
             curves: self.curves(),
             reach,
             near: [-near, near],
+            small_mm2: SMALL_PART * many * reach.area_mm2,
             thin_mm,
             visit,
             thin_caps: false,
@@ -117,6 +122,8 @@ struct Walk<'a, 'p, V> {
     reach: &'a Reach<'a>,
     /// The footprint's box and what is within reach of it, mm.
     near: [DVec2; 2],
+    /// Parts of less area may change more.
+    small_mm2: f64,
     thin_mm: f64,
     visit: &'a mut V,
     /// Whether it came by any that are not told, or in part.
@@ -211,7 +218,7 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
 
     /// How much more a part of this area may change than one that covers much of the footprint.
     fn slack(&self, area_mm2: f64) -> f64 {
-        let small = SMALL_PART * self.reach.area_mm2 / area_mm2;
+        let small = self.small_mm2 / area_mm2;
         small.sqrt().clamp(1.0, MOST_SLACK)
     }
 

@@ -12,16 +12,17 @@ use core::ops::ControlFlow;
 use core::slice;
 use glam::DVec2;
 
-/// Parts that crossings may cut a run's share of the pixel into.
+/// Parts that crossings may cut a run's share of the pixel into, at last and on the way there.
 const MOST_PARTS: usize = 8;
+const MOST_CUT: usize = 32;
 
 /// Scratches that a footprint may hold for each to be looked at by itself.
-const MOST_ALONE: u32 = 16;
+const MOST_ALONE: u32 = 48;
 
 /// Runs of scratch that are looked at one by one: more than are held, for later ones cut earlier ones away.
-const MOST_HITS: usize = 128;
+const MOST_HITS: usize = 208;
 
-/// Most pixels have no more than so many. Room for all would be 100 KB of stack, which takes longer to be touched
+/// Most pixels have no more than so many. Room for all would be 160 KB of stack, which takes longer to be touched
 /// than a scratch to be shaded.
 const FEW_HITS: usize = 12;
 
@@ -60,13 +61,29 @@ impl Shading {
     fn add_many(&mut self, pattern: &Pattern, candidates: &mut Candidates, reach: &Reach<'_>) {
         candidates.sort_unstable();
         self.clear();
-        let are_few = candidates.len() <= MOST_ALONE as usize;
-        let mut crowd = (!are_few).then(|| pattern.crowd_of(reach, candidates));
-        let alone = crowd.as_ref().is_none_or(|crowd| crowd.count <= MOST_ALONE);
-        if !alone || !self.add_each::<MOST_HITS>(pattern, candidates, reach, MOST_HITS / 4) {
-            let crowd = crowd.get_or_insert_with(|| pattern.crowd_of(reach, candidates));
-            self.add_as_crowd(pattern, crowd, reach);
+        let may_crowd = pattern.scratches_of(candidates) > MOST_ALONE as usize;
+        if may_crowd && self.add_as_near_crowd(pattern, candidates, reach, MOST_ALONE + 1) {
+            return;
         }
+        if !self.add_each::<MOST_HITS>(pattern, candidates, reach, MOST_HITS / 4) {
+            self.add_as_near_crowd(pattern, candidates, reach, 0);
+        }
+    }
+
+    /// Adds pieces as a crowd, if they are of so many scratches at least; apart, for crowds take much of the stack.
+    #[inline(never)]
+    fn add_as_near_crowd(
+        &mut self,
+        pattern: &Pattern,
+        candidates: &Candidates,
+        reach: &Reach<'_>,
+        least: u32,
+    ) -> bool {
+        let crowd = pattern.crowd_of(reach, candidates);
+        if crowd.count >= least {
+            self.add_as_crowd(pattern, &crowd, reach);
+        }
+        crowd.count >= least
     }
 
     fn add_as_crowd<const BY: usize>(
@@ -130,7 +147,9 @@ impl Shading {
         if !(apart && self.add_whole(pattern, &hits, reach)) {
             self.add_crossing::<MOST>(pattern, &hits, reach, &mut crowd);
         }
-        crowd.is_none_or(|crowd| self.add_crowd(pattern, &crowd, reach))
+        // By its address: it is large.
+        let crowd = crowd.as_ref();
+        crowd.is_none_or(|crowd| self.add_crowd(pattern, crowd, reach))
     }
 
     /// Adds runs of which none cuts another; false, with none added, if there is no room.
@@ -191,9 +210,10 @@ impl Shading {
                 added.is_some()
             };
             let mut cut = || {
-                let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
+                let mut parts: ArrayVec<Region, MOST_CUT> = ArrayVec::new();
                 parts.push(hit.region);
-                crossing.cut(i, &mut parts, whole) && add(&parts, &Left::even(1.0))
+                let are_few = crossing.cut(i, &mut parts, whole) && parts.len() <= MOST_PARTS;
+                are_few && add(&parts, &Left::even(1.0))
             };
             let is_cut = alone > 0.0 && right - left > thin_mm && cut();
             if is_cut && alone == 1.0 {
