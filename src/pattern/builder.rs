@@ -16,14 +16,11 @@ use crate::single;
 use glam::DVec2;
 use rayon::prelude::*;
 
-/// Scratches that are prepared at once.
-pub(crate) const PORTION: usize = 16_384;
-
 /// Scratches that one thread prepares at once.
-const BATCH: usize = 256;
+const BATCH: usize = 128;
 
 /// Batches that are prepared while those before them are kept.
-const TOGETHER: usize = 8;
+const TOGETHER: usize = 64;
 
 /// Collects scratches. Each is checked as it is added.
 #[derive(Clone, Debug)]
@@ -140,13 +137,7 @@ impl PatternBuilder {
     /// Adds scratches in their order, prepared on all cores: the result is that of adding one by one. If one is
     /// refused, the builder is as it was; the error names its number.
     pub fn add_all(&mut self, scratches: &[Scratch<'_>]) -> Result<()> {
-        self.all_or_none(|builder| {
-            // In portions: what is prepared and not yet kept takes memory.
-            for (i, portion) in scratches.chunks(PORTION).enumerate() {
-                builder.add_portion(portion, i * PORTION)?;
-            }
-            Ok(())
-        })
+        self.all_or_none(|builder| builder.add_portion(scratches, 0))
     }
 
     /// How many scratches were added so far: the next one's number.

@@ -154,6 +154,9 @@ impl Pattern {
         thin_mm: f64,
         visit: &mut impl FnMut(&Chord<'_>),
     ) {
+        if self.tracks.has_no_caps() {
+            return;
+        }
         let curves = self.curves();
         let control = curves.control(number);
         for (end, quarter) in ENDS.into_iter().zip([0, 3]) {

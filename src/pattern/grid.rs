@@ -107,12 +107,12 @@ impl Grid {
         let cells: Vec<Cell> = counts.iter().map(cell).collect();
         let parts = of_sources(first as usize, curves.pieces.len(), |piece, source| {
             let control = curves.control(piece);
-            let curve = Outline::of(&control);
-            raster.for_each_cell(&curve, |number| {
-                let Cell { first, side } = cells[number as usize];
-                let parts = raster.cell(number as usize).parted(side);
-                parts.for_each_cell(&curve, |part| source.lies_in(first + part));
-            });
+            let cell = |number: u32| cells[number as usize];
+            raster.for_each_part_of_cells(
+                &Outline::of(&control),
+                |number| cell(number).side,
+                |number, part| source.lies_in(cell(number).first + part),
+            );
         })
         .lists();
         Self::of_lists(

@@ -1,10 +1,13 @@
 //! A rectangle of texture space in equal cells: which cells a curve crosses, or a box touches.
 
+mod placed;
+
 use super::pieces::{bounds, sagitta};
 use bytemuck::{Pod, Zeroable};
 use core::cell::OnceCell;
-use core::ops::{Range, RangeInclusive};
+use core::ops::Range;
 use glam::DVec2;
+use placed::Placed;
 use rayon::prelude::*;
 
 /// A rectangle in equal cells.
@@ -28,6 +31,24 @@ pub(crate) struct Touched {
 }
 
 impl Touched {
+    /// Of so many columns and rows, those that a box touches that is told in cells, if any.
+    #[inline(always)]
+    fn of([columns, rows]: [u32; 2], [from, to]: [DVec2; 2]) -> Option<Self> {
+        let end = DVec2::new(columns.into(), rows.into());
+        // A hair of slack again; false for NaN and for a grid of nothing.
+        let slack = DVec2::splat(1e-9);
+        if !(from.cmple(end + slack).all() && to.cmpge(-slack).all() && columns > 0) {
+            return None;
+        }
+        let last = end - 1.0;
+        let cell = |place: f64, last: f64| cell_number(if place < last { place } else { last });
+        Some(Self {
+            columns: cell(from.x, last.x)..cell(to.x, last.x) + 1,
+            rows: cell(from.y, last.y)..cell(to.y, last.y) + 1,
+            within: [from, to],
+        })
+    }
+
     /// How many cells these are.
     pub(super) fn count(&self) -> u32 {
         let length = |range: &Range<u32>| range.end - range.start;
@@ -49,6 +70,10 @@ impl<'c> Outline<'c> {
             bounds: bounds(control),
             sagitta: OnceCell::new(),
         }
+    }
+
+    fn chord(&self) -> [DVec2; 2] {
+        [self.control[0], self.control[3]]
     }
 
     fn sagitta(&self) -> f64 {
@@ -213,20 +238,36 @@ impl Raster {
         }
     }
 
-    /// Each cell divided `side` by `side`.
-    pub(super) fn parted(&self, side: u32) -> Self {
-        Self {
-            per_unit: self.per_unit * f64::from(side),
-            columns: self.columns * side,
-            rows: self.rows * side,
-            ..*self
-        }
+    /// Calls `visit` with the number of each cell that a curve may cross.
+    pub(super) fn for_each_cell(&self, curve: &Outline<'_>, mut visit: impl FnMut(u32)) {
+        let reach = || curve.sagitta() * self.per_unit;
+        let placed = self.placed(curve.chord(), curve.bounds);
+        placed.for_each_cell(self.sides(), reach, |[column, row]| {
+            visit(row * self.columns + column);
+        });
     }
 
-    /// Calls `visit` with the number of each cell that a curve may cross.
-    pub(super) fn for_each_cell(&self, curve: &Outline<'_>, visit: impl FnMut(u32)) {
-        let [start, .., end] = *curve.control;
-        self.for_each_cell_of([start, end], curve.bounds, || curve.sagitta(), visit);
+    /// Calls `visit` with the number of each cell that a curve may cross, and of each part of the cell that it may: `side`
+    /// tells how many there are across.
+    pub(super) fn for_each_part_of_cells(
+        &self,
+        curve: &Outline<'_>,
+        side: impl Fn(u32) -> u32,
+        mut visit: impl FnMut(u32, u32),
+    ) {
+        let reach = || curve.sagitta() * self.per_unit;
+        let placed = self.placed(curve.chord(), curve.bounds);
+        placed.for_each_cell(self.sides(), reach, |[column, row]| {
+            let cell = row * self.columns + column;
+            let side = side(cell);
+            let across = f64::from(side);
+            let parts = placed.within([column, row], across);
+            parts.for_each_cell(
+                [side; 2],
+                || across * reach(),
+                |[column, row]| visit(cell, row * side + column),
+            );
+        });
     }
 
     /// Calls `visit` with the number of each cell that may lie within `reach` of a line.
@@ -234,37 +275,25 @@ impl Raster {
         &self,
         reach: f64,
         [a, b]: [DVec2; 2],
-        visit: impl FnMut(u32),
-    ) {
-        let bounds = [a.min(b) - reach, a.max(b) + reach];
-        self.for_each_cell_of([a, b], bounds, || reach, visit);
-    }
-
-    /// Calls `visit` with each cell within these bounds that may lie within `reach` of a chord.
-    fn for_each_cell_of(
-        &self,
-        chord: [DVec2; 2],
-        [low, high]: [DVec2; 2],
-        reach: impl FnOnce() -> f64,
         mut visit: impl FnMut(u32),
     ) {
-        let Some(Touched { columns, rows, .. }) = self.touched(low, high) else {
-            return;
-        };
-        if rows.len() == 1 || columns.len() == 1 {
-            for row in rows {
-                columns
-                    .clone()
-                    .for_each(|column| visit(row * self.columns + column));
-            }
-            return;
-        }
-        let band = self.band(chord, [low, high], reach());
-        for row in rows {
-            let first = row * self.columns;
-            for column in band.columns(row, self.columns - 1) {
-                visit(first + column);
-            }
+        let bounds = [a.min(b) - reach, a.max(b) + reach];
+        let placed = self.placed([a, b], bounds);
+        placed.for_each_cell(
+            self.sides(),
+            || reach * self.per_unit,
+            |[column, row]| visit(row * self.columns + column),
+        );
+    }
+
+    fn sides(&self) -> [u32; 2] {
+        [self.columns, self.rows]
+    }
+
+    fn placed(&self, chord: [DVec2; 2], bounds: [DVec2; 2]) -> Placed {
+        Placed {
+            chord: chord.map(|place| self.in_cells(place)),
+            bounds: bounds.map(|place| self.in_cells(place)),
         }
     }
 
@@ -289,45 +318,14 @@ impl Raster {
             }
         };
         let mut next = [0, 1].map(|axis| Borders::between(from[axis], to[axis]));
-        loop {
-            let at = next.each_ref().map(Borders::place);
-            match at {
-                [None, None] => break,
-                [Some(x), y] if y.is_none_or(|y| x <= y) => {
-                    put(x);
-                    next[0].pass();
-                }
-                [_, y] => {
-                    put(y.unwrap_or(1.0));
-                    next[1].pass();
-                }
-            }
+        let mut at = next.each_ref().map(Borders::place);
+        while at[0].min(at[1]) < f64::INFINITY {
+            let axis = usize::from(at[1] < at[0]);
+            put(at[axis]);
+            next[axis].pass();
+            at[axis] = next[axis].place();
         }
         put(1.0);
-    }
-
-    /// A chord, widened by `reach` and cut off at these bounds.
-    fn band(&self, chord: [DVec2; 2], bounds: [DVec2; 2], reach: f64) -> Band {
-        let cells = |p: DVec2| (p - self.origin) * self.per_unit;
-        let [from, to] = bounds.map(cells);
-        let [start, end] = chord.map(cells);
-        let chord = end - start;
-        let reach = reach * self.per_unit;
-        // Level ones cross as many columns in one row as in all.
-        let is_level = chord.y.abs() <= 1e-12 * chord.x.abs();
-        Band {
-            ends: [from.x, to.x],
-            start,
-            slope: if is_level { 0.0 } else { chord.x / chord.y },
-            chord: [start.x.min(end.x), start.x.max(end.x)],
-            reach_y: reach.y,
-            // A hair of slack: rounding must not lose a cell.
-            reach_x: if is_level {
-                f64::INFINITY
-            } else {
-                reach.x + 1e-9
-            },
-        }
     }
 
     /// A place in cells from the origin.
@@ -346,48 +344,7 @@ impl Raster {
     /// The cells that a box touches, if any.
     #[inline(always)]
     pub(crate) fn touched(&self, low: DVec2, high: DVec2) -> Option<Touched> {
-        let (from, to) = (self.in_cells(low), self.in_cells(high));
-        let end = DVec2::new(self.columns.into(), self.rows.into());
-        // A hair of slack again; false for NaN and for a grid of nothing.
-        let slack = DVec2::splat(1e-9);
-        if !(from.cmple(end + slack).all() && to.cmpge(-slack).all() && self.columns > 0) {
-            return None;
-        }
-        let last = end - 1.0;
-        let cell = |place: f64, last: f64| cell_number(if place < last { place } else { last });
-        Some(Touched {
-            columns: cell(from.x, last.x)..cell(to.x, last.x) + 1,
-            rows: cell(from.y, last.y)..cell(to.y, last.y) + 1,
-            within: [from, to],
-        })
-    }
-}
-
-/// A straight band in cells.
-struct Band {
-    /// Where it ends across.
-    ends: [f64; 2],
-    start: DVec2,
-    /// Columns per row.
-    slope: f64,
-    /// Between which columns its middle line lies.
-    chord: [f64; 2],
-    reach_x: f64,
-    reach_y: f64,
-}
-
-impl Band {
-    /// The columns that it touches in a row, no further than the `last`.
-    fn columns(&self, row: u32, last: u32) -> RangeInclusive<u32> {
-        let at = |y: f64| {
-            let x = self.start.x + (y - self.start.y) * self.slope;
-            x.max(self.chord[0]).min(self.chord[1])
-        };
-        let row = f64::from(row);
-        let (bottom, top) = (at(row - self.reach_y), at(row + 1.0 + self.reach_y));
-        let from = (bottom.min(top) - self.reach_x).max(self.ends[0]);
-        let to = (bottom.max(top) + self.reach_x).min(self.ends[1]);
-        cell_number(from).min(last)..=cell_number(to).min(last)
+        Touched::of(self.sides(), [self.in_cells(low), self.in_cells(high)])
     }
 }
 
@@ -419,9 +376,13 @@ impl Borders {
         }
     }
 
-    /// The share of the way at which the next one is passed.
-    fn place(&self) -> Option<f64> {
-        (self.count > 0.0).then(|| ((self.next - self.from) / self.step).clamp(0.0, 1.0))
+    /// The share of the way at which the next one is passed; beyond all of it if there is none.
+    fn place(&self) -> f64 {
+        if self.count > 0.0 {
+            ((self.next - self.from) / self.step).clamp(0.0, 1.0)
+        } else {
+            f64::INFINITY
+        }
     }
 
     fn pass(&mut self) {

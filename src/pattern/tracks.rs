@@ -164,6 +164,11 @@ impl Tracks {
         self.caps.get(record.caps[end], vertices_per_sector(facets))
     }
 
+    /// Whether no scratch ends hard.
+    pub(crate) fn has_no_caps(&self) -> bool {
+        self.caps.stations.is_empty()
+    }
+
     pub(crate) fn iter(&self) -> impl Iterator<Item = TrackRef<'_>> {
         (0..self.records.len()).filter_map(|number| self.get(u32::try_from(number).ok()?))
     }
@@ -330,7 +335,8 @@ impl<'p> TrackRef<'p> {
     pub(crate) fn locate(&self, at: f64) -> (usize, f32) {
         let place = |i: usize| f64::from(self.stations[i].at);
         let final_one = self.stations.len() - 1;
-        if final_one == 0 {
+        // Where scratches set in, most of them.
+        if final_one == 0 || at <= place(0) {
             return (0, 0.0);
         }
         let count = self.stations.len() as f64;

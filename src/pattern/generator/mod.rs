@@ -17,7 +17,6 @@ pub(crate) use strokes::tapered;
 pub use strokes::{Stroke, Strokes};
 pub use styles::Style;
 
-use super::builder::PORTION;
 use super::scratch::Held;
 use super::{PatternBuilder, Scratch};
 use crate::error::{Error, Result, in_range};
@@ -27,6 +26,9 @@ use rayon::prelude::*;
 
 /// Most scratches of one generator.
 const MOST: f64 = 1e8;
+
+/// Scratches that are drawn before they are added.
+const PORTION: usize = 16_384;
 
 /// Most curves of one scratch.
 const MOST_CURVES: u32 = 64;

@@ -4,7 +4,7 @@
 use super::cell::Cell;
 use super::cover::{HIDDEN, Left, cut};
 use super::meet::{EIGHT, NOWHERE, Numbers, PLACE, Seen, Window};
-use crate::lanes::{Lanes, Number, first_of, in_lanes};
+use crate::lanes::{Lanes, Number, apart, first_of, in_lanes};
 use crate::single;
 use glam::DVec2;
 
@@ -191,11 +191,10 @@ fn cover<L: Lanes>(
                 lanes.store(lanes.load(left) * rest, left);
             }
             if first_of(lanes, count, meeting.unsure).any() {
-                for lane in 0..L::WIDTH.min(count) {
-                    if meeting.unsure.lane(lane) > 0.0 {
-                        unsure.push(first + k + lane);
-                    }
-                }
+                let lanes = 0..L::WIDTH.min(count);
+                // Seldom, and one by one: registers are to keep what they hold.
+                let is_unsure = |lane: &usize| meeting.unsure.lane(*lane) > 0.0;
+                apart(|| unsure.extend(lanes.filter(is_unsure).map(|lane| first + k + lane)));
             }
         }
     }
