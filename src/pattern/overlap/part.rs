@@ -191,10 +191,10 @@ fn cover<L: Lanes>(
                 lanes.store(lanes.load(left) * rest, left);
             }
             if first_of(lanes, count, meeting.unsure).any() {
-                let lanes = 0..L::WIDTH.min(count);
+                let held = 0..L::WIDTH.min(count);
                 // Seldom, and one by one: registers are to keep what they hold.
                 let is_unsure = |lane: &usize| meeting.unsure.lane(*lane) > 0.0;
-                apart(|| unsure.extend(lanes.filter(is_unsure).map(|lane| first + k + lane)));
+                apart(|| unsure.extend(held.filter(is_unsure).map(|lane| first + k + lane)));
             }
         }
     }
