@@ -88,12 +88,12 @@ fn worst_of_comb(pattern: &Pattern, comb_mm: f64, parts: u32) -> f64 {
     worst
 }
 
-/// 5, 40 and 400 like strokes side by side: a full shading point stands for all of them.
+/// 5, 40, 60 and 400 like strokes side by side: a full shading point stands for all of them.
 #[test]
 fn no_stroke_is_lost() {
     let mut failed = Vec::new();
     for (name, material) in [("matt", dark_sheet()), ("polished", polished())] {
-        for count in [5, 40, 400] {
+        for count in [5, 40, 60, 400] {
             let pitch_mm = 0.2;
             let pattern = comb(&material, count, pitch_mm, 0.1);
             let worst = worst_of_comb(&pattern, pitch_mm * f64::from(count), 4 * count);
@@ -110,7 +110,7 @@ fn no_stroke_is_lost() {
 #[test]
 fn unlike_strokes_are_averaged() {
     let mut failed = Vec::new();
-    for count in [5, 40, 400] {
+    for count in [5, 40, 60, 400] {
         let black = Material {
             scratched: lambert(0.0),
             ..dark_sheet()

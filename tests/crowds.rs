@@ -62,7 +62,7 @@ fn tangle(material: &Material, count: u32, size_mm: f64, seed: u64) -> Pattern {
 fn no_light_is_gained() {
     let white = Material::new(150.0, lambert(1.0), lambert(1.0));
     let mut most = 0.0_f64;
-    for count in [1, 3, 16, 17, 60, 300] {
+    for count in [1, 3, 16, 48, 49, 300] {
         let pattern = tangle(&white, count, 1.0, u64::from(count));
         for size_mm in [0.01, 0.3, 1.0, 10.0] {
             for zenith in [0.0, 40.0, 70.0, 85.0] {

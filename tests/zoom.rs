@@ -210,3 +210,22 @@ fn no_jump_on_the_way_out() {
     }
     assert!(failed.is_empty(), "{failed:#?}");
 }
+
+/// Moving on by a pixel of some dozens of scratches, neighbouring footprints differ by less than 2 % of what is seen.
+#[test]
+fn no_jump_on_the_way_past() {
+    let mut failed = Vec::new();
+    for (name, material) in [("matt", matt()), ("polished", polished())] {
+        let pattern = scratched(&material, &Tool::rockwell_c(), Way::Any);
+        for size_mm in [1.0, 3.0] {
+            let [sheet, ..] = sheets();
+            let (dx, dy) = edges(size_mm);
+            let (jump, at) = largest_jump(|s| sheet.pixel(&pattern, NEAR + s * dx, dx, dy));
+            println!("{name}, {size_mm} mm: largest jump {jump:.1e} at {at}");
+            if jump >= 0.02 {
+                failed.push(format!("{name}, {size_mm} mm: {jump} at {at}"));
+            }
+        }
+    }
+    assert!(failed.is_empty(), "{failed:#?}");
+}

@@ -8,6 +8,9 @@ use arrayvec::ArrayVec;
 /// Parts of less than this share of the pixel are none.
 const LEAST_PART: f64 = 1e-9;
 
+/// Parts of a run that are still to be cut by later ones.
+pub(crate) type Parts = ArrayVec<Region, 32>;
+
 /// How far beside a scratch's edge cuts still matter, as a share of its width: parallax shows the scratch there.
 const BESIDE: f64 = 1.0;
 
@@ -36,12 +39,7 @@ impl<'c, 'p> Crossing<'c, 'p> {
 
     /// Cuts from the one region in `left`, which belongs to run `i`, what later runs take of it; false if that leaves too
     /// many parts, or too many corners.
-    pub(crate) fn cut<const MOST: usize>(
-        &self,
-        i: usize,
-        left: &mut ArrayVec<Region, MOST>,
-        pixel_area: f64,
-    ) -> bool {
+    pub(crate) fn cut(&self, i: usize, left: &mut Parts, pixel_area: f64) -> bool {
         let least_area = LEAST_PART * pixel_area;
         self.cutting(i, beside(&self.hits[i]))
             .all(|later| cut_by(later, left, least_area))
@@ -57,14 +55,19 @@ impl<'c, 'p> Crossing<'c, 'p> {
         let lines = Lines::along(&run.line, cover);
         let whole = lines.within(cover.edges().map(|(a, b)| [a, (b - a).perp()]));
         let mut cuts = Cuts::new();
-        let later = self.cutting(i, run.ends_mm);
+        // If they are too many, those that others lie upon are left out.
+        let later = self.cutting(i, run.ends_mm).rev();
         let all = later.map(|later| lines.within(later.borders(later.ends_mm)));
         cuts.extend(all.filter(|cut| cut.meet(&whole)).take(cuts.capacity()));
         lines.left(&whole, &cuts)
     }
 
     /// Later ones that may cut what run `i` has between two distances across.
-    fn cutting(&self, i: usize, across_mm: [f64; 2]) -> impl Iterator<Item = &'c Hit<'p>> {
+    fn cutting(
+        &self,
+        i: usize,
+        across_mm: [f64; 2],
+    ) -> impl DoubleEndedIterator<Item = &'c Hit<'p>> {
         let run = &self.hits[i];
         let meets = move |(later, cover): (&'c Hit<'p>, &Region)| {
             (!later.adjoins(run) && run.may_cover(across_mm, cover)).then_some(later)
@@ -73,7 +76,7 @@ impl<'c, 'p> Crossing<'c, 'p> {
     }
 
     /// Runs after run `i` that cover any of the footprint, and what they cover.
-    fn later(&self, i: usize) -> impl Iterator<Item = (&'c Hit<'p>, &'c Region)> {
+    fn later(&self, i: usize) -> impl DoubleEndedIterator<Item = (&'c Hit<'p>, &'c Region)> {
         let later = self.hits[i + 1..].iter().zip(&self.covers[i + 1..]);
         later.filter_map(|(hit, cover)| Some((hit, cover.as_ref()?)))
     }
@@ -87,11 +90,7 @@ fn beside(run: &Hit<'_>) -> [f64; 2] {
 }
 
 /// Cuts what one run covers from some parts; false if that leaves too many, or too many corners.
-fn cut_by<const MOST: usize>(
-    later: &Hit<'_>,
-    left: &mut ArrayVec<Region, MOST>,
-    least_area: f64,
-) -> bool {
+fn cut_by(later: &Hit<'_>, left: &mut Parts, least_area: f64) -> bool {
     let borders = later.borders(later.ends_mm);
     // From the last one on: what is left of a part is put behind those still to be cut.
     for part in (0..left.len()).rev() {

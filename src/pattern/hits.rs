@@ -3,7 +3,7 @@
 
 use super::Pattern;
 use super::closest::{length_share, nearest};
-use super::crossings::Crossing;
+use super::crossings::{Crossing, Parts};
 use super::hit::Hit;
 use super::point::{Frame, Metric, SurfacePoint};
 use super::query::{Candidates, Reach};
@@ -18,9 +18,6 @@ use glam::DVec2;
 /// Runs of scratch that are cut against one another; among more, each counts with the share that later
 /// scratches leave of it on average.
 const MOST_CUT: usize = 128;
-
-/// Parts that crossings may cut a run into for its area to be exact.
-const MOST_PARTS: usize = 32;
 
 /// Points per side of a run's box for what many crossings leave of it.
 const SAMPLES: u32 = 32;
@@ -240,7 +237,7 @@ impl Listing<'_> {
         let crossing = Crossing::new(&runs, &covers);
         for (i, run) in runs.iter().enumerate() {
             let Some(cover) = &covers[i] else { continue };
-            let mut parts: ArrayVec<Region, MOST_PARTS> = ArrayVec::new();
+            let mut parts = Parts::new();
             parts.push(*cover);
             let area = if crossing.cut(i, &mut parts, self.reach.area_mm2) {
                 parts.iter().map(Region::area).sum()

@@ -54,7 +54,7 @@ mod tracks;
 
 pub use builder::PatternBuilder;
 pub(crate) use center_line::CenterLine;
-pub(crate) use crossings::Crossing;
+pub(crate) use crossings::{Crossing, Parts};
 pub(crate) use crowd::{Crowd, NearCrowd};
 #[cfg(feature = "svg")]
 pub(crate) use generator::tapered;

@@ -5,15 +5,17 @@ use super::tracks::TrackRef;
 use crate::single;
 use glam::Vec2;
 
-/// Shapes that a mean is taken over: of more stations only every other counts, or every third, and so on.
+/// Shapes that a mean is taken over: of more stations every other one is kept, or every third, and so on.
 const MOST_SHAPES: usize = 24;
 
-/// Weighted shapes at equal distances in an array.
+/// Weighted shapes at equal distances in an array, the last one perhaps nearer.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Profile<'p> {
     /// From the first shape's first vertex on.
     vertices: &'p [Vec2],
     stride: usize,
+    /// Where the last shape begins.
+    farthest: usize,
     pub vertex_count: usize,
     weights: [f32; MOST_SHAPES],
     shapes: usize,
@@ -35,7 +37,8 @@ impl<'p> Profile<'p> {
         Self {
             vertices,
             stride,
-            vertex_count: sound(vertices, shapes, [stride, vertex_count]),
+            farthest: (shapes - 1) * stride,
+            vertex_count: sound(vertices, [(shapes - 1) * stride, vertex_count]),
             weights,
             shapes,
         }
@@ -49,18 +52,12 @@ impl<'p> Profile<'p> {
         let last = track.station_count() - 1;
         let values = course.turns(from, to);
         let [low, high] = course.extremes(from, to);
-        let first = track.locate(low).0;
-        let stations = (track.locate(high).0 + 1).min(last) - first;
-        let step = stations.div_ceil(MOST_SHAPES - 1).max(1);
-        let shapes = stations.div_ceil(step).min((last - first) / step) + 1;
+        let kept = Kept::between(track.locate(low).0, (track.locate(high).0 + 1).min(last));
         let mut weights = [0.0; MOST_SHAPES];
-        // Stations lie as close as shapes change: one that does not count is a mix of its neighbours that do.
         let mut add = |station: usize, weight: f64| {
-            let off = station.clamp(first, first + (shapes - 1) * step) - first;
-            let (shape, beyond) = (off / step, off % step);
-            let mix = beyond as f64 / step as f64;
+            let (shape, mix) = kept.mix(track, station);
             weights[shape] += single(weight * (1.0 - mix));
-            if beyond > 0 {
+            if mix > 0.0 {
                 weights[shape + 1] += single(weight * mix);
             }
         };
@@ -93,21 +90,28 @@ impl<'p> Profile<'p> {
                 (station, at) = (next, stop);
             }
         }
-        let (vertices, vertex_count) = (track.shapes_from(first), track.vertex_count());
-        let stride = step * vertex_count;
+        let (vertices, vertex_count) = (track.shapes_from(kept.first), track.vertex_count());
+        let farthest = kept.stations * vertex_count;
         Self {
             vertices,
-            stride,
-            vertex_count: sound(vertices, shapes, [stride, vertex_count]),
+            stride: kept.step * vertex_count,
+            farthest,
+            vertex_count: sound(vertices, [farthest, vertex_count]),
             weights,
-            shapes,
+            shapes: kept.shapes(),
         }
+    }
+
+    /// Where a shape begins.
+    #[inline(always)]
+    fn begin(&self, shape: usize) -> usize {
+        (shape * self.stride).min(self.farthest)
     }
 
     #[inline(always)]
     fn vertex(&self, number: usize) -> Vec2 {
         let weighed =
-            |shape: usize| self.vertices[shape * self.stride + number] * self.weights[shape];
+            |shape: usize| self.vertices[self.begin(shape) + number] * self.weights[shape];
         (0..self.shapes).map(weighed).sum()
     }
 
@@ -119,7 +123,7 @@ impl<'p> Profile<'p> {
         }
         // Mostly there is one shape, or two.
         for (shape, weight) in self.weights[..self.shapes].iter().enumerate().skip(1) {
-            let first = shape * self.stride;
+            let first = self.begin(shape);
             let vertices = self.vertices.get(first..first + self.vertex_count);
             for ((x, z), vertex) in xs.iter_mut().zip(&mut *zs).zip(vertices.unwrap_or(&[])) {
                 *x += vertex.x * weight;
@@ -143,10 +147,48 @@ impl<'p> Profile<'p> {
     }
 }
 
-/// How many vertices so many shapes have: none if the array is too short for them.
-fn sound(vertices: &[Vec2], shapes: usize, [stride, vertex_count]: [usize; 2]) -> usize {
-    let needed = (shapes - 1) * stride + vertex_count;
-    if vertices.len() >= needed {
+/// The stations of a track that a mean is taken over: every so many-th of a stretch, and its last.
+struct Kept {
+    first: usize,
+    step: usize,
+    /// From the first to the last.
+    stations: usize,
+}
+
+impl Kept {
+    /// Those of a stretch from one station to another.
+    fn between(first: usize, end: usize) -> Self {
+        let stations = end.saturating_sub(first);
+        Self {
+            first,
+            step: stations.div_ceil(MOST_SHAPES - 1).max(1),
+            stations,
+        }
+    }
+
+    fn shapes(&self) -> usize {
+        self.stations.div_ceil(self.step) + 1
+    }
+
+    /// What stands for a station: a kept one's number, and how far from there to the next one, as shapes change between.
+    fn mix(&self, track: &TrackRef<'_>, station: usize) -> (usize, f64) {
+        let off = station.saturating_sub(self.first).min(self.stations);
+        let shape = off / self.step;
+        let before = shape * self.step;
+        if off == before {
+            return (shape, 0.0);
+        }
+        let next = (before + self.step).min(self.stations);
+        let change = |off: usize| track.change_to((self.first + off, 0.0));
+        let [a, at, b] = [before, off, next].map(change);
+        let mix = if b > a { (at - a) / (b - a) } else { 0.0 };
+        (shape, mix.clamp(0.0, 1.0))
+    }
+}
+
+/// How many vertices shapes have of which the last begins there: none if the array is too short for it.
+fn sound(vertices: &[Vec2], [farthest, vertex_count]: [usize; 2]) -> usize {
+    if vertices.len() >= farthest + vertex_count {
         vertex_count
     } else {
         0
@@ -159,46 +201,79 @@ mod tests {
     use crate::pattern::track::Track;
     use crate::pattern::tracks::Tracks;
 
-    /// Where a scratch sets in it widens fast, over many stations: the mean of a stretch is as wide as its cross-sections are
-    /// on average, however many those are.
+    /// Stations as lie where scratches set in, where every depth is stated, and where few are far from the others.
+    fn tracks() -> [Tracks; 3] {
+        let set_in = (0..200).map(|i| f64::from(i) / 199.0).map(|at| at * at);
+        let stated = (0..250).map(|i| {
+            if i == 0 {
+                0.0
+            } else {
+                0.2 + 0.8 * f64::from(i) / 249.0
+            }
+        });
+        let apart = (0..32).map(|i| match i {
+            0 => 0.0,
+            31 => 1.0,
+            _ => 0.02 + 1e-4 * f64::from(i),
+        });
+        [
+            (set_in.collect(), f64::sqrt as fn(f64) -> f64),
+            (stated.collect(), |at| at),
+            (apart.collect(), |at| at),
+        ]
+        .map(|(at, width): (Vec<f64>, _)| {
+            let sides = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
+            let station = |at: &f64| sides.map(|side| Vec2::new(side * single(width(*at)), 0.0));
+            let mut tracks = Tracks::default();
+            tracks.push(&Track {
+                vertices: at.iter().flat_map(station).collect(),
+                at,
+                vertex_count: sides.len(),
+                caps: Default::default(),
+                finishes: Default::default(),
+            });
+            tracks
+        })
+    }
+
+    const COURSE: Course<'_> = Course {
+        knots: &[[0.0, 0.0], [1.0, 1.0]],
+        scale: 1.0,
+    };
+
+    /// The mean of a stretch is as wide as its cross-sections are on average, over however many stations, and however
+    /// unevenly these lie.
     #[test]
     fn mean_of_many_stations() {
-        let count = 200_u16;
-        let at: Vec<f64> = (0..count).map(|i| (f64::from(i) / 199.0).powi(2)).collect();
-        let width = |at: f64| single(at.sqrt());
-        let sides = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
-        let station = |at: &f64| sides.map(|side| Vec2::new(side * width(*at), 0.0));
-        let mut tracks = Tracks::default();
-        tracks.push(&Track {
-            vertices: at.iter().flat_map(station).collect(),
-            at,
-            vertex_count: sides.len(),
-            caps: Default::default(),
-            finishes: Default::default(),
-        });
-        let track = tracks.get(0).unwrap();
-        let knots = [[0.0, 0.0], [1.0, 1.0]];
-        let course = Course {
-            knots: &knots,
-            scale: 1.0,
-        };
-        for [from, to] in [
-            [0.0, 0.01],
-            [0.0, 0.1],
-            [0.0, 0.5],
-            [0.0, 1.0],
-            [0.2, 0.9],
-            [0.7, 1.0],
-        ] {
-            let found = Profile::mean(&track, &course, [from, to]).half_width_mm();
-            let steps = 10_000;
-            let place = |i: i32| from + (to - from) * (f64::from(i) + 0.5) / f64::from(steps);
-            let widths = (0..steps).map(|i| track.half_width_of(track.locate(place(i))));
-            let wanted = widths.sum::<f64>() / f64::from(steps);
-            assert!(
-                (found / wanted - 1.0).abs() < 2e-3,
-                "{from} to {to}: {found}, not {wanted}"
-            );
+        for (i, tracks) in tracks().iter().enumerate() {
+            let track = tracks.get(0).unwrap();
+            for to in (1..=100).map(|i| 0.01 * f64::from(i)) {
+                for from in [0.0, 0.5 * to, to - 0.01] {
+                    let found = Profile::mean(&track, &COURSE, [from, to]).half_width_mm();
+                    let steps = 4000;
+                    let place =
+                        |i: i32| from + (to - from) * (f64::from(i) + 0.5) / f64::from(steps);
+                    let widths = (0..steps).map(|i| track.half_width_of(track.locate(place(i))));
+                    let wanted = widths.sum::<f64>() / f64::from(steps);
+                    let off = (found / wanted - 1.0).abs();
+                    assert!(off < 4e-3, "{i}, {from} to {to}: {found}, not {wanted}");
+                }
+            }
+        }
+    }
+
+    /// It changes evenly as the stretch grows, also where fewer of its stations are kept.
+    #[test]
+    fn mean_of_a_growing_stretch() {
+        for (i, tracks) in tracks().iter().enumerate() {
+            let track = tracks.get(0).unwrap();
+            let mut last = 0.0;
+            for to in (1..=10_000).map(|i| 1e-4 * f64::from(i)) {
+                let found = Profile::mean(&track, &COURSE, [0.0, to]).half_width_mm();
+                let most = if to > 0.01 { 0.02 * last } else { found };
+                assert!((found - last).abs() <= most, "{i}, {to}: {last} to {found}");
+                last = found;
+            }
         }
     }
 }

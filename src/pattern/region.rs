@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 
-/// Corners of a region: each line that cuts a parallelogram adds one at most.
+/// Corners of a region: each line that cuts a parallelogram adds one at most, as those at a run's ends, along its sides, and
+/// four around a later one do.
 pub(crate) const MOST_CORNERS: usize = 12;
 
 /// The thinnest footprint, mm. A nanometre is far below what a cross-section means, and keeps a point

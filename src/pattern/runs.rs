@@ -30,8 +30,10 @@ const LEAST_WIDENING: f64 = 0.5;
 const SMALL_PART: f64 = 0.02;
 const MOST_SLACK: f64 = 4.0;
 
-/// Beside more pieces than so many each counts for less, and a larger share of the footprint is small.
-const FEW_PIECES: f64 = 6.0;
+/// Beside more pieces than so many each counts for less, and a larger share of the footprint is small: up to so many times
+/// as large.
+const UNCROWDED: f64 = 6.0;
+const MOST_CROWDED: f64 = 8.0;
 
 /// A piece is cut into at most 2 to the power of this many runs.
 const MOST_HALVINGS: u32 = 16;
@@ -74,13 +76,13 @@ impl Pattern {
         visit: &mut impl FnMut(&Hit<'p>) -> ControlFlow<()>,
     ) -> bool {
         let near = reach.footprint.half_size() + reach.reach_mm;
-        let many = (candidates.len() as f64 / FEW_PIECES).max(1.0);
+        let crowded = (candidates.len() as f64 / UNCROWDED).clamp(1.0, MOST_CROWDED);
         let mut walk = Walk {
             pattern: self,
             curves: self.curves(),
             reach,
             near: [-near, near],
-            small_mm2: SMALL_PART * many * reach.area_mm2,
+            small_mm2: SMALL_PART * crowded * reach.area_mm2,
             thin_mm,
             visit,
             thin_caps: false,

@@ -335,7 +335,7 @@ impl<'p> TrackRef<'p> {
     pub(crate) fn locate(&self, at: f64) -> (usize, f32) {
         let place = |i: usize| f64::from(self.stations[i].at);
         let final_one = self.stations.len() - 1;
-        // Where scratches set in, most of them.
+        // Most ask for where scratches set in.
         if final_one == 0 || at <= place(0) {
             return (0, 0.0);
         }

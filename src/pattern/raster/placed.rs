@@ -1,4 +1,4 @@
-//! What lies along a chord, in cells: which of them it may cross. Told once, it is so in parts of any cell.
+//! What lies along a chord, in cells: which of them it may cross. From there it is told in parts of a cell.
 
 use super::{Touched, cell_number};
 use core::ops::RangeInclusive;

@@ -2,7 +2,9 @@
 
 use super::Shading;
 use crate::formation::MOST_LAYERS;
-use crate::pattern::{Candidates, Crossing, Crowd, Hit, Left, NearCrowd, Pattern, Reach, Region};
+use crate::pattern::{
+    Candidates, Crossing, Crowd, Hit, Left, NearCrowd, Parts, Pattern, Reach, Region,
+};
 use crate::scattering::eval::rest;
 use crate::scattering::flocks::{Flock, MOST_FLOCKS};
 use crate::scattering::relief::{MOST_RELIEFS, MOST_SLOTS, Relief};
@@ -12,9 +14,8 @@ use core::ops::ControlFlow;
 use core::slice;
 use glam::DVec2;
 
-/// Parts that crossings may cut a run's share of the pixel into, at last and on the way there.
+/// Parts that crossings may cut a run's share of the pixel into.
 const MOST_PARTS: usize = 8;
-const MOST_CUT: usize = 32;
 
 /// Scratches that a footprint may hold for each to be looked at by itself.
 const MOST_ALONE: u32 = 48;
@@ -210,7 +211,7 @@ impl Shading {
                 added.is_some()
             };
             let mut cut = || {
-                let mut parts: ArrayVec<Region, MOST_CUT> = ArrayVec::new();
+                let mut parts = Parts::new();
                 parts.push(hit.region);
                 let are_few = crossing.cut(i, &mut parts, whole) && parts.len() <= MOST_PARTS;
                 are_few && add(&parts, &Left::even(1.0))
