@@ -1,6 +1,8 @@
 //! What lies where relative to a run: across from its centre line, in a run that grows evenly along it.
 
 use super::region::Region;
+use crate::lanes::Number;
+use crate::single;
 use glam::DVec2;
 
 /// Nowhere in a region a run counts as narrower than this share of what it is at its origin.
@@ -80,6 +82,20 @@ impl CenterLine {
         (to - from) * a * b * 0.5 * (a + b)
     }
 
+    /// The same on several lines.
+    #[inline(always)]
+    pub(super) fn spans<F: Number>(&self, [from, to]: [F; 2]) -> F {
+        if self.is_even() {
+            return to - from;
+        }
+        let taper = single(self.taper);
+        let (a, b) = (
+            from.like(1.0) / (-from * taper + 1.0),
+            to.like(1.0) / (-to * taper + 1.0),
+        );
+        (to - from) * a * b * (a + b) * 0.5
+    }
+
     /// How much of the plane lies between two places across, and two places along at either, mm².
     pub(crate) fn area(&self, [from, to]: [f64; 2], [first, last]: [[f64; 2]; 2]) -> f64 {
         // As they lie about the origin, by their places.
@@ -99,6 +115,13 @@ impl CenterLine {
         across.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
             [low.min(x), high.max(x)]
         })
+    }
+
+    /// Two places across, as far from the centre line as they come to lie anywhere between two distances along.
+    pub(super) fn widest(&self, across: [f64; 2], along: [f64; 2]) -> [f64; 2] {
+        let [first, last] = along.map(|along| 1.0 + self.taper * along);
+        let [from, to] = across;
+        [from.min(0.0), to.max(0.0)].map(|at| at * first.max(last))
     }
 
     /// The point beside the origin that is so far across.

@@ -1,7 +1,9 @@
 //! Where scratches cross, the later one cuts the earlier: its groove and peaks replace what was there.
 
+use super::boxes::{Boxes, MOST_BOXES, TurnedBox};
 use super::hit::Hit;
-use super::lines::{Cuts, Left, Lines};
+use super::left::Left;
+use super::lines::{Cuts, Lines};
 use super::region::Region;
 use arrayvec::ArrayVec;
 
@@ -20,12 +22,31 @@ pub(crate) struct Crossing<'c, 'p> {
     hits: &'c [Hit<'p>],
     /// What each covers of the footprint.
     covers: &'c [Option<Region>],
+    /// Around that.
+    boxes: &'c Boxes,
 }
 
+/// Later runs that may cut one.
+pub(crate) type Cutting<'c, 'p> = ArrayVec<&'c Hit<'p>, MOST_BOXES>;
+
 impl<'c, 'p> Crossing<'c, 'p> {
-    /// Of runs that cover this of the footprint.
-    pub(crate) fn new(hits: &'c [Hit<'p>], covers: &'c [Option<Region>]) -> Self {
-        Self { hits, covers }
+    /// Of runs that cover this of the footprint, each in its box, of which there is room for [`MOST_BOXES`].
+    pub(crate) fn new(hits: &'c [Hit<'p>], covers: &'c [Option<Region>], boxes: &'c Boxes) -> Self {
+        Self {
+            hits,
+            covers,
+            boxes,
+        }
+    }
+
+    /// Boxes around what runs cover.
+    #[inline(always)]
+    pub(crate) fn boxes(hits: &[Hit<'_>], covers: &[Option<Region>]) -> Boxes {
+        let around = |(hit, cover): (&Hit<'_>, &Option<Region>)| {
+            let cover = cover.as_ref()?;
+            Some(TurnedBox::around(&hit.line, cover))
+        };
+        Boxes::of(hits.iter().zip(covers).map(around))
     }
 
     /// Whether none of these runs, which all cover some of the footprint, cuts another.
@@ -37,49 +58,54 @@ impl<'c, 'p> Crossing<'c, 'p> {
         })
     }
 
-    /// Cuts from the one region in `left`, which belongs to run `i`, what later runs take of it; false if that leaves too
-    /// many parts, or too many corners.
-    pub(crate) fn cut(&self, i: usize, left: &mut Parts, pixel_area: f64) -> bool {
-        let least_area = LEAST_PART * pixel_area;
-        self.cutting(i, beside(&self.hits[i]))
-            .all(|later| cut_by(later, left, least_area))
+    /// Whether run `i` covers any of the footprint.
+    pub(crate) fn covers_any(&self, i: usize) -> bool {
+        self.covers[i].is_some()
+    }
+
+    /// Finds the later runs that may cut what run `i` covers, or what lies beside it.
+    pub(crate) fn find_cutting(&self, i: usize, cutting: &mut Cutting<'c, 'p>) {
+        cutting.clear();
+        if self.covers[i].is_some() {
+            let run = &self.hits[i];
+            let along = run.region.extent(run.line.origin, run.line.travel);
+            let across = run.line.widest(beside(run), along);
+            let depths = self
+                .boxes
+                .depths(&TurnedBox::between(&run.line, along, across));
+            let later = self.hits.iter().zip(depths.as_flattened()).skip(i + 1);
+            let meet = later.filter(|(later, depth)| **depth >= 0.0 && !later.adjoins(run));
+            cutting.extend(meet.map(|(later, _)| later));
+        }
     }
 
     /// What later ones leave of what run `i` covers. Of one that only shades the footprint, the share that they leave of all
     /// of it, as if they lay independently of one another.
-    pub(crate) fn left(&self, i: usize, pixel_area: f64) -> Left {
-        let (run, Some(cover)) = (&self.hits[i], &self.covers[i]) else {
-            let covered = self.later(i).map(|(_, cover)| cover.area() / pixel_area);
+    pub(crate) fn left(&self, i: usize, cutting: &Cutting<'_, '_>, pixel_area: f64) -> Left {
+        let Some(cover) = &self.covers[i] else {
+            let covered = self.later(i).map(|cover| cover.area() / pixel_area);
             return Left::even(covered.map(|share| 1.0 - share.min(1.0)).product());
         };
-        let lines = Lines::along(&run.line, cover);
-        let whole = lines.within(cover.edges().map(|(a, b)| [a, (b - a).perp()]));
+        let lines = Lines::along(&self.hits[i].line, cover);
         let mut cuts = Cuts::new();
         // If they are too many, those that others lie upon are left out.
-        let later = self.cutting(i, run.ends_mm).rev();
-        let all = later.map(|later| lines.within(later.borders(later.ends_mm)));
-        cuts.extend(all.filter(|cut| cut.meet(&whole)).take(cuts.capacity()));
-        lines.left(&whole, &cuts)
+        let mut later = cutting.iter().rev();
+        later.all(|later| lines.cut(&later.borders(later.ends_mm), &mut cuts));
+        lines.left(&cuts)
     }
 
-    /// Later ones that may cut what run `i` has between two distances across.
-    fn cutting(
-        &self,
-        i: usize,
-        across_mm: [f64; 2],
-    ) -> impl DoubleEndedIterator<Item = &'c Hit<'p>> {
-        let run = &self.hits[i];
-        let meets = move |(later, cover): (&'c Hit<'p>, &Region)| {
-            (!later.adjoins(run) && run.may_cover(across_mm, cover)).then_some(later)
-        };
-        self.later(i).filter_map(meets)
+    /// What runs after run `i` cover.
+    fn later(&self, i: usize) -> impl Iterator<Item = &'c Region> {
+        self.covers[i + 1..].iter().flatten()
     }
+}
 
-    /// Runs after run `i` that cover any of the footprint, and what they cover.
-    fn later(&self, i: usize) -> impl DoubleEndedIterator<Item = (&'c Hit<'p>, &'c Region)> {
-        let later = self.hits[i + 1..].iter().zip(&self.covers[i + 1..]);
-        later.filter_map(|(hit, cover)| Some((hit, cover.as_ref()?)))
-    }
+/// Cuts from the one region in `left`, which belongs to a run, what later runs take of it; false if that leaves too many
+/// parts, or too many corners.
+pub(crate) fn cut_away(left: &mut Parts, cutting: &Cutting<'_, '_>, pixel_area: f64) -> bool {
+    let least_area = LEAST_PART * pixel_area;
+    let mut cutting = cutting.iter();
+    cutting.all(|later| cut_by(later, left, least_area))
 }
 
 /// Between which distances across from a run cuts matter.

@@ -1,8 +1,10 @@
 //! Lines along a run, on which what other runs cover of it is measured: exact along each, however many cover one another.
 
 use super::center_line::CenterLine;
-use super::region::Region;
-use super::strips::{STRIPS, Strips, shares};
+use super::left::Left;
+use super::region::{MOST_CORNERS, Region};
+use super::strips::{STRIPS, Strips};
+use crate::lanes::{Lanes, Number, in_lanes};
 use crate::single;
 use arrayvec::ArrayVec;
 use glam::DVec2;
@@ -10,169 +12,197 @@ use glam::DVec2;
 /// Lines beside one another, each in the middle of its share of the width.
 const LINES: usize = STRIPS;
 
+/// Numbers of lines.
+const NUMBERS: Strips = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+
 /// Others whose cuts are measured.
 const MOST_CUTS: usize = 64;
 
-/// What others cover of some lines.
-pub(super) type Cuts = ArrayVec<Stretches, MOST_CUTS>;
+/// Places further away, mm, are as good as this one, and numbers stay finite.
+const FAR_MM: f64 = 1e30;
 
+/// Lines along a run, as far as they lie in what it covers, and what others cut from them.
 pub(super) struct Lines {
     line: CenterLine,
-    /// Beside its origin.
-    starts: [DVec2; LINES],
+    /// Beside its origin: where the first one is.
+    first: DVec2,
     /// Where the first one's share of the width begins, and how wide each is, mm across from the run's centre line.
     low_mm: f64,
     step_mm: f64,
+    whole: Stretches,
 }
 
-/// What others leave of a run, strip by strip across it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Left {
-    /// Of all of it.
-    pub mean: f64,
-    strips: Strips,
-    /// How much of each line that is, mm.
-    left_mm: Strips,
-    /// Where the first one begins, and how wide each is, mm across from the run's centre line.
-    low_mm: f64,
-    step_mm: f64,
-    /// Where one strip ends and the next begins, mm across from the run's centre line.
-    borders_mm: [f32; LINES - 1],
-}
+/// What others cut from lines: along each in the order in which they begin.
+pub(super) type Cuts = ArrayVec<Stretches, MOST_CUTS>;
 
-/// From where to where something reaches along each line, mm; nowhere unless to > from.
+/// From where to where something reaches along each line, mm from beside the run's origin; nowhere if both are one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretches {
-    from: [f64; LINES],
-    to: [f64; LINES],
+    from: Strips,
+    to: Strips,
+}
+
+/// Where lines pass a straight border, mm: evenly, from the first one on.
+#[derive(Clone, Copy)]
+struct Border {
+    place: f32,
+    step: f32,
+    /// To its inner side.
+    enters: bool,
 }
 
 impl Lines {
     /// Along a run, through what it covers.
     pub(super) fn along(line: &CenterLine, cover: &Region) -> Self {
-        let [low, high] = line.extent(cover);
+        let edges = cover.edges().map(|(a, b)| [a, (b - a).perp()]);
+        Self::within(line, line.extent(cover), edges)
+    }
+
+    /// Along a run, between two places across and within borders, each a point and an inward direction.
+    fn within(
+        line: &CenterLine,
+        [low, high]: [f64; 2],
+        borders: impl Iterator<Item = [DVec2; 2]>,
+    ) -> Self {
         let step = (high - low) / LINES as f64;
-        Self {
+        let mut lines = Self {
             line: *line,
-            starts: core::array::from_fn(|i| line.beside(low + step * (i as f64 + 0.5))),
+            first: line.beside(low + 0.5 * step),
             low_mm: low,
             step_mm: step,
+            whole: Stretches {
+                from: [single(-FAR_MM); LINES],
+                to: [single(FAR_MM); LINES],
+            },
+        };
+        let borders = borders.map(|border| lines.border(border));
+        let borders: ArrayVec<Border, MOST_CORNERS> = borders.collect();
+        in_lanes!(lanes => lines.whole.keep(lanes, &borders));
+        lines
+    }
+
+    #[inline(always)]
+    fn border(&self, [point, inward]: [DVec2; 2]) -> Border {
+        let slope = self.line.approach([point, inward]);
+        // Along a border, all of a line lies on one side.
+        let per_slope = if slope == 0.0 { FAR_MM } else { 1.0 / slope };
+        let [inside, deeper] = [
+            (self.first - point).dot(inward),
+            self.step_mm * self.line.across().dot(inward),
+        ];
+        let place = |inside: f64| single((-inside * per_slope).clamp(-FAR_MM, FAR_MM));
+        Border {
+            place: place(inside),
+            step: place(deeper),
+            enters: slope >= 0.0,
         }
     }
 
-    /// What cuts leave of a run that reaches so far along them.
-    pub(super) fn left(&self, whole: &Stretches, cuts: &Cuts) -> Left {
-        let [left, all] = whole.beside(cuts, &self.line);
+    /// Adds what of them lies within borders, each a point and an inward direction, to the cuts; false if there were too many.
+    pub(super) fn cut(&self, borders: &[[DVec2; 2]; 4], cuts: &mut Cuts) -> bool {
+        let [a, b, c, d] = borders;
+        // Number by number: mapped, they would be asked for one by one.
+        let borders = [
+            self.border(*a),
+            self.border(*b),
+            self.border(*c),
+            self.border(*d),
+        ];
+        let mut part = self.whole;
+        if !in_lanes!(lanes => part.keep(lanes, &borders)) {
+            return true;
+        }
+        let has_room = cuts.try_push(part).is_ok();
+        if has_room {
+            in_lanes!(lanes => sort_last(lanes, cuts));
+        }
+        has_room
+    }
+
+    /// What cuts leave.
+    pub(super) fn left(&self, cuts: &Cuts) -> Left {
+        let [left, all] = in_lanes!(lanes => self.beside(lanes, cuts));
         Left::new([self.low_mm, self.step_mm], left, all)
     }
 
-    /// What of them lies within borders, each a point and an inward direction.
-    pub(super) fn within(&self, borders: impl IntoIterator<Item = [DVec2; 2]>) -> Stretches {
-        let mut part = Stretches {
-            from: [f64::NEG_INFINITY; LINES],
-            to: [f64::INFINITY; LINES],
-        };
-        for [origin, inward] in borders {
-            let slope = self.line.approach([origin, inward]);
-            let inside = self.starts.map(|start| (start - origin).dot(inward));
-            if slope == 0.0 {
-                for (to, inside) in part.to.iter_mut().zip(inside) {
-                    *to = if inside < 0.0 { f64::NEG_INFINITY } else { *to };
-                }
-                continue;
+    /// How much of each line no cut covers, and how much there is, mm.
+    #[inline(always)]
+    fn beside<L: Lanes>(&self, lanes: L, cuts: &Cuts) -> [Strips; 2] {
+        let (mut left, mut all) = (Strips::default(), Strips::default());
+        let none = lanes.all(0.0);
+        for first in (0..LINES).step_by(L::WIDTH) {
+            let [mut at, end] = self.whole.load(lanes, first);
+            lanes.store(self.line.spans([at, end]), &mut all[first..]);
+            let mut sum = none;
+            for cut in cuts {
+                let [from, to] = cut.load(lanes, first);
+                sum = sum + self.line.spans([at, from.max(at)]);
+                at = at.max(to);
             }
-            let places = inside.map(|inside| inside * (-1.0 / slope));
-            let (bounds, sign) = match slope > 0.0 {
-                true => (&mut part.from, 1.0),
-                false => (&mut part.to, -1.0),
-            };
-            for (bound, place) in bounds.iter_mut().zip(places) {
-                let is_nearer = (place - *bound) * sign > 0.0;
-                *bound = if is_nearer { place } else { *bound };
-            }
+            sum = sum + self.line.spans([at, end]);
+            lanes.store(sum, &mut left[first..]);
         }
-        part
+        [left, all]
     }
 }
 
 impl Stretches {
-    pub(super) fn meet(&self, other: &Self) -> bool {
-        let meets = |i: usize| self.from[i].max(other.from[i]) < self.to[i].min(other.to[i]);
-        (0..LINES).any(meets)
+    #[inline(always)]
+    fn load<L: Lanes>(&self, lanes: L, first: usize) -> [L::F; 2] {
+        [
+            lanes.load(&self.from[first..]),
+            lanes.load(&self.to[first..]),
+        ]
     }
 
-    /// How much of each line none of `cuts` covers, and how much there is, mm.
-    fn beside(&self, cuts: &Cuts, line: &CenterLine) -> [[f64; LINES]; 2] {
-        let (mut left, mut whole) = ([0.0; LINES], [0.0; LINES]);
-        let mut own: ArrayVec<[f64; 2], MOST_CUTS> = ArrayVec::new();
-        for i in 0..LINES {
-            let [mut at, end] = [self.from[i], self.to[i]];
-            if end <= at {
-                continue;
+    #[inline(always)]
+    fn store<L: Lanes>(&mut self, lanes: L, first: usize, [from, to]: [L::F; 2]) {
+        lanes.store(from, &mut self.from[first..]);
+        lanes.store(to, &mut self.to[first..]);
+    }
+
+    /// Keeps what lies within borders; of a line that has nothing there, its end. Whether there is any.
+    #[inline(always)]
+    fn keep<L: Lanes>(&mut self, lanes: L, borders: &[Border]) -> bool {
+        let mut is_any = false;
+        for first in (0..LINES).step_by(L::WIDTH) {
+            let numbers = lanes.load(&NUMBERS[first..]);
+            let [mut from, end] = self.load(lanes, first);
+            let mut to = end;
+            for border in borders {
+                let place = numbers.times_plus(lanes.all(border.step), lanes.all(border.place));
+                if border.enters {
+                    from = from.max(place);
+                } else {
+                    to = to.min(place);
+                }
             }
-            whole[i] = line.span([at, end]);
-            let all = cuts.iter().map(|cut| [cut.from[i], cut.to[i]]);
-            own.clear();
-            own.extend(all.filter(|&[from, to]| from.max(at) < to.min(end)));
-            own.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
-            for &[from, to] in &own {
-                left[i] += line.span([at, from]).max(0.0);
-                at = at.max(to).min(end);
-            }
-            left[i] += line.span([at, end]);
+            is_any |= (to - from).any();
+            let kept = [to.if_above(from, from, end), to.if_above(from, to, end)];
+            self.store(lanes, first, kept);
         }
-        [left, whole]
+        is_any
     }
 }
 
-impl Left {
-    /// Of strips that begin there and are so wide, mm across from the run's centre line: so much of all that each was.
-    pub(crate) fn new([low, step]: [f64; 2], left: [f64; LINES], all: [f64; LINES]) -> Self {
-        let share = |left: f64, all: f64| if all > 0.0 { left / all } else { 1.0 };
-        Self {
-            mean: share(left.iter().sum(), all.iter().sum()),
-            strips: core::array::from_fn(|i| single(share(left[i], all[i]))),
-            left_mm: left.map(single),
-            low_mm: low,
-            step_mm: step,
-            borders_mm: core::array::from_fn(|i| single(low + step * (i + 1) as f64)),
+/// Moves the last of some stretches to where it belongs along each line.
+#[inline(always)]
+fn sort_last<L: Lanes>(lanes: L, all: &mut [Stretches]) {
+    for first in (0..LINES).step_by(L::WIDTH) {
+        let mut place = all.len() - 1;
+        let [mut from, mut to] = all[place].load(lanes, first);
+        while let Some(before) = place.checked_sub(1) {
+            let [its_from, its_to] = all[before].load(lanes, first);
+            if !(its_from - from).any() {
+                break;
+            }
+            let later = [its_from.max(from), its_from.if_above(from, its_to, to)];
+            all[place].store(lanes, first, later);
+            to = its_from.if_above(from, to, its_to);
+            from = its_from.min(from);
+            place = before;
         }
-    }
-
-    /// As much of each strip.
-    pub(crate) fn even(share: f64) -> Self {
-        Self {
-            mean: share,
-            strips: [single(share); LINES],
-            left_mm: [0.0; LINES],
-            low_mm: 0.0,
-            step_mm: 0.0,
-            borders_mm: [0.0; LINES - 1],
-        }
-    }
-
-    /// What share of all that is left the strips of a cross-section have that reaches from one place to another.
-    pub(crate) fn across(&self, [from, to]: [f64; 2]) -> Strips {
-        let step = (to - from) / STRIPS as f64;
-        shares(core::array::from_fn(|i| {
-            let own = [from + step * i as f64, from + step * (i + 1) as f64];
-            let of_line = |line: usize| {
-                let low = self.low_mm + self.step_mm * line as f64;
-                let width = own[1].min(low + self.step_mm) - own[0].max(low);
-                single(width.max(0.0)) * self.left_mm[line]
-            };
-            (0..LINES).map(of_line).sum()
-        }))
-    }
-
-    /// Where strips end, and the share that is left of each; the outer ones go on without end. Neighbours of which as much is
-    /// left are one.
-    pub(crate) fn strips(&self) -> impl Iterator<Item = (f32, f32)> {
-        (0..LINES).filter_map(|i| match self.strips.get(i + 1) {
-            Some(next) if *next == self.strips[i] => None,
-            Some(_) => Some((self.borders_mm[i], self.strips[i])),
-            None => Some((f32::INFINITY, self.strips[i])),
-        })
+        all[place].store(lanes, first, [from, to]);
     }
 }
 
@@ -206,43 +236,16 @@ mod tests {
                 .map(|i| DVec2::new(length * share(i % steps), width * share(i / steps)));
             let points = points.filter(|at| is_left(*at)).count() as f64;
             let truth = points / f64::from(steps * steps);
-            let lines = Lines {
-                line: CenterLine::even(DVec2::ZERO, DVec2::X),
-                starts: core::array::from_fn(|i| {
-                    DVec2::new(0.3, width * (i as f64 + 0.5) / LINES as f64)
-                }),
-                low_mm: 0.0,
-                step_mm: width / LINES as f64,
-            };
+            let line = CenterLine::even(DVec2::new(0.3, 0.0), DVec2::X);
             let ends = [[DVec2::ZERO, DVec2::X], [DVec2::X * length, -DVec2::X]];
-            let whole = lines.within(ends);
-            let cuts: Cuts = strips
-                .iter()
-                .map(|borders| lines.within(*borders))
-                .collect();
-            let left = lines.left(&whole, &cuts).mean;
+            let mut lines = Lines::within(&line, [-width, 0.0], ends.into_iter());
+            assert!(strips.into_iter().all(|borders| lines.cut(borders)), "room");
+            let left = lines.left().mean;
             let worst = 0.5 / LINES as f64;
             assert!((left - truth).abs() < worst, "{left}, not {truth}");
             off += (left - truth).abs() / 40.0;
         }
         assert!(off < 2e-3, "{off} on average");
-    }
-
-    /// What is left of lines over a part of a cross-section is shared out by its strips, and adds up to 1.
-    #[test]
-    fn lines_are_shared_out_by_strips() {
-        // Lines over the left half, of which the right half is gone.
-        let left = [2.0, 2.0, 2.0, 2.0, 0.0, 0.0, 0.0, 0.0];
-        let found = Left::new([-1.0, 0.125], left, [2.0; LINES]).across([-1.0, 1.0]);
-        let wanted = [0.5, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        for (found, wanted) in found.iter().zip(wanted) {
-            assert!((found - wanted).abs() < 1e-6, "{found}, not {wanted}");
-        }
-        let found = Left::new([-1.0, 0.25], [0.0; LINES], [2.0; LINES]).across([-1.0, 1.0]);
-        assert!(
-            (found.iter().sum::<f32>() - 1.0).abs() < 1e-6,
-            "{found:?} of nothing"
-        );
     }
 
     /// The borders of a strip anywhere across a larger one, some of which end in it.

@@ -6,6 +6,7 @@
 
 mod along;
 mod arc_length;
+mod boxes;
 mod builder;
 mod caps;
 mod center_line;
@@ -22,6 +23,7 @@ mod hosts;
 mod kinds;
 mod laid;
 mod layers;
+mod left;
 mod lines;
 mod lists;
 mod mesh;
@@ -52,9 +54,10 @@ mod surface;
 mod track;
 mod tracks;
 
+pub(crate) use boxes::MOST_BOXES;
 pub use builder::PatternBuilder;
 pub(crate) use center_line::CenterLine;
-pub(crate) use crossings::{Crossing, Parts};
+pub(crate) use crossings::{Crossing, Cutting, Parts, cut_away};
 pub(crate) use crowd::{Crowd, NearCrowd};
 #[cfg(feature = "svg")]
 pub(crate) use generator::tapered;
@@ -62,7 +65,7 @@ pub use generator::{Amount, Distribution, Generated, Generator, Stroke, Strokes,
 pub(crate) use hit::Hit;
 pub use hits::{Found, ScratchHit};
 pub(crate) use layers::Layered;
-pub(crate) use lines::Left;
+pub(crate) use left::Left;
 pub use mesh::{MeshRegion, MeshZone, ReliefMesh};
 pub(crate) use palette::{MOST_CLASS_VERTICES, MOST_CLASSES};
 pub use path::{Curve, Path};

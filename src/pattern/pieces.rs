@@ -186,6 +186,12 @@ impl Curves<'_> {
         self.pieces.first().is_some_and(Piece::is_joined)
     }
 
+    /// The number of a piece's scratch.
+    pub(crate) fn scratch(&self, number: u32) -> Option<u32> {
+        let piece = self.pieces.get(number as usize);
+        piece.map(|piece| piece.scratch)
+    }
+
     /// The ends of a piece, (u, v), if it is kept as a straight line.
     #[inline(always)]
     pub(crate) fn line(&self, number: usize) -> Option<[DVec2; 2]> {

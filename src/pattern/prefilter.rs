@@ -12,7 +12,6 @@ use super::palette::MOST_CLASSES;
 use super::query::{Candidates, Reach};
 use super::raster::{Raster, Touched};
 use super::reader::Reader;
-use super::seen::{Inserted, Seen};
 use super::store::Store;
 use super::strips::{EVEN, Strips};
 use arrayvec::ArrayVec;
@@ -34,9 +33,6 @@ const MOST_GATHERED: usize = 32;
 /// Cells of a coarser level that are filled in one go.
 const PORTION: usize = 256;
 
-/// Places for scratches of a footprint whose pieces are looked at one by one, to count each once.
-const MOST_SCRATCHES: usize = 1024;
-
 /// A pyramid of cells: level 0 are the grid's, each level has half as many per side as the one before.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pyramid {
@@ -55,17 +51,23 @@ pub(super) struct Level {
 }
 
 impl Pattern {
-    /// What a footprint holds of these pieces (in their order), less what later ones take.
-    pub(crate) fn crowd_of(&self, reach: &Reach<'_>, candidates: &Candidates) -> NearCrowd {
+    /// What a footprint holds of these pieces (in their order), less what later ones take; nothing if these are
+    /// fewer scratches than `least`.
+    pub(crate) fn crowd_of(
+        &self,
+        reach: &Reach<'_>,
+        candidates: &Candidates,
+        least: usize,
+    ) -> Option<NearCrowd> {
         let mut crowd = NearCrowd::new();
-        let mut scratches = Seen::<MOST_SCRATCHES>::new();
+        let mut to_come = self.scratches_of(candidates);
+        let mut is_held = false;
         let mut laid = Laid::new();
         let mut reader = Reader::new(self);
         for (i, &number) in candidates.iter().enumerate().rev() {
             if i % TOUCHED == TOUCHED - 1 || i + 1 == candidates.len() {
                 self.touch(&candidates[i - i % TOUCHED..=i]);
             }
-            let mut is_held = false;
             reader.for_each_chord(number as usize, Some(reach), |chord| {
                 let ends = chord.ends.map(|uv| reach.place(uv));
                 let Some(way) = Way::within(reach.footprint, ends, chord.width_mm()) else {
@@ -82,16 +84,16 @@ impl Pattern {
                 });
                 crowd.add(&self.palette, areas, chord.heading, &strips);
             });
-            if let Some(piece) = self
-                .curves()
-                .pieces
-                .get(number as usize)
-                .filter(|_| is_held)
-            {
-                crowd.count += u32::from(scratches.insert(piece.scratch) != Inserted::Before);
+            let of = |number: u32| self.curves().scratch(number);
+            if i == 0 || of(candidates[i - 1]) != of(number) {
+                to_come = to_come.saturating_sub(1);
+                crowd.count += u32::from(core::mem::take(&mut is_held));
+                if crowd.count as usize + to_come < least {
+                    return None;
+                }
             }
         }
-        crowd
+        Some(crowd)
     }
 
     /// Adds what a footprint holds of the caps of these pieces, as far as they do not stand by themselves beside what is so

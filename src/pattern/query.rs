@@ -108,9 +108,9 @@ impl Pattern {
 
     /// How many scratches these pieces, in their order, are of.
     pub(crate) fn scratches_of(&self, candidates: &Candidates) -> usize {
-        let pieces = self.curves().pieces;
-        let scratch = |&number: &u32| pieces.get(number as usize).map(|piece| piece.scratch);
-        candidates.chunk_by(|a, b| scratch(a) == scratch(b)).count()
+        let curves = self.curves();
+        let is_one = |a: &u32, b: &u32| curves.scratch(*a) == curves.scratch(*b);
+        candidates.chunk_by(is_one).count()
     }
 
     /// The pieces near a box in (u, v); false if they are too many.

@@ -114,7 +114,7 @@ fn strips_weigh_what_is_left() {
                     8 => 10.0,
                     _ => single(low + step * k as f64),
                 });
-                single(shares[i]) * densities.between(&whole, ends[0], ends[1].min(to))
+                shares[i] * densities.between(&whole, ends[0], ends[1].min(to))
             };
             let wanted: f32 = (0..8).map(strip).sum();
             let ours = densities.between(&cut, -10.0, to);

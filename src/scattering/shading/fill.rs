@@ -3,7 +3,8 @@
 use super::Shading;
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
-    Candidates, Crossing, Crowd, Hit, Left, NearCrowd, Parts, Pattern, Reach, Region,
+    Candidates, Crossing, Crowd, Cutting, Hit, Left, MOST_BOXES, NearCrowd, Parts, Pattern, Reach,
+    Region, cut_away,
 };
 use crate::scattering::eval::rest;
 use crate::scattering::flocks::{Flock, MOST_FLOCKS};
@@ -18,10 +19,10 @@ use glam::DVec2;
 const MOST_PARTS: usize = 8;
 
 /// Scratches that a footprint may hold for each to be looked at by itself.
-const MOST_ALONE: u32 = 48;
+const MOST_ALONE: usize = 48;
 
 /// Runs of scratch that are looked at one by one: more than are held, for later ones cut earlier ones away.
-const MOST_HITS: usize = 208;
+const MOST_HITS: usize = MOST_BOXES;
 
 /// Most pixels have no more than so many. Room for all would be 160 KB of stack, which takes longer to be touched
 /// than a scratch to be shaded.
@@ -62,7 +63,7 @@ impl Shading {
     fn add_many(&mut self, pattern: &Pattern, candidates: &mut Candidates, reach: &Reach<'_>) {
         candidates.sort_unstable();
         self.clear();
-        let may_crowd = pattern.scratches_of(candidates) > MOST_ALONE as usize;
+        let may_crowd = pattern.scratches_of(candidates) > MOST_ALONE;
         if may_crowd && self.add_as_near_crowd(pattern, candidates, reach, MOST_ALONE + 1) {
             return;
         }
@@ -78,13 +79,14 @@ impl Shading {
         pattern: &Pattern,
         candidates: &Candidates,
         reach: &Reach<'_>,
-        least: u32,
+        least: usize,
     ) -> bool {
-        let crowd = pattern.crowd_of(reach, candidates);
-        if crowd.count >= least {
-            self.add_as_crowd(pattern, &crowd, reach);
+        let crowd = pattern.crowd_of(reach, candidates, least);
+        // By its address: it is large.
+        if let Some(crowd) = &crowd {
+            self.add_as_crowd(pattern, crowd, reach);
         }
-        crowd.count >= least
+        crowd.is_some()
     }
 
     fn add_as_crowd<const BY: usize>(
@@ -181,7 +183,8 @@ impl Shading {
         // In place: room for all is not to be moved.
         let mut covers: ArrayVec<Option<Region>, MOST> = ArrayVec::new();
         covers.extend(hits.iter().map(Hit::cover));
-        let crossing = Crossing::new(hits, &covers);
+        let boxes = Crossing::boxes(hits, &covers);
+        let (crossing, mut cutting) = (Crossing::new(hits, &covers, &boxes), Cutting::new());
         let thin_mm = THIN * reach.footprint.thickness();
         let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
         runs.extend(
@@ -210,17 +213,23 @@ impl Shading {
                 let added = self.add(pattern, hit, parts, left, gain, whole);
                 added.is_some()
             };
+            crossing.find_cutting(i, &mut cutting);
+            // Most are not cut, and there is nothing to be measured of them.
+            let is_whole = alone == 1.0 && cutting.is_empty() && crossing.covers_any(i);
+            if is_whole && add(slice::from_ref(&hit.region), &Left::even(1.0)) {
+                continue;
+            }
             let mut cut = || {
                 let mut parts = Parts::new();
                 parts.push(hit.region);
-                let are_few = crossing.cut(i, &mut parts, whole) && parts.len() <= MOST_PARTS;
+                let are_few = cut_away(&mut parts, &cutting, whole) && parts.len() <= MOST_PARTS;
                 are_few && add(&parts, &Left::even(1.0))
             };
             let is_cut = alone > 0.0 && right - left > thin_mm && cut();
             if is_cut && alone == 1.0 {
                 continue;
             }
-            let left = crossing.left(i, whole);
+            let left = crossing.left(i, &cutting, whole);
             let added = is_cut || (alone > 0.0 && add(slice::from_ref(&hit.region), &left));
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
