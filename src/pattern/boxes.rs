@@ -173,7 +173,7 @@ mod tests {
             let mut any = || {
                 let origin = DVec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
                 let line = CenterLine::even(origin, DVec2::from_angle(rng.random_range(0.0..6.3)));
-                let mut place = || rng.random_range(-0.5..0.5);
+                let mut place = || rng.random_range(-0.5..0.5_f64);
                 let [a, b] = [place(), place()];
                 let (along, across) = ([a.min(b), a.max(b)], [-0.1 * a.abs(), 0.3 * b.abs()]);
                 let corner = |x: f64, y: f64| line.beside(x) + line.travel * y;

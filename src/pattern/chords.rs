@@ -180,17 +180,28 @@ impl Pattern {
             let angle_rad = angle(tangent(&scaled, cap.at));
             for sector in cap.sectors() {
                 // Across its axis, less than half a turn away.
-                let turned = angle_rad + sector.wedge.axis_rad + FRAC_PI_2;
+                let turned = within_one_turn(angle_rad + sector.wedge.axis_rad + FRAC_PI_2);
                 let area_mm2 = sector.area_mm2() * left;
                 let mut areas = ClassAreas::default();
                 add_shares(&mut areas, &classes, single(area_mm2));
                 visit(&Chord {
                     ends: [place; 2],
-                    heading: Heading::at(turned.rem_euclid(TAU)),
+                    heading: Heading::at(turned),
                     held: Held::Sector(areas),
                 });
             }
         }
+    }
+}
+
+/// An angle that is at most one turn below 0, or above the first turn.
+fn within_one_turn(angle_rad: f32) -> f32 {
+    if angle_rad < 0.0 {
+        angle_rad + TAU
+    } else if angle_rad >= TAU {
+        angle_rad - TAU
+    } else {
+        angle_rad
     }
 }
 
@@ -224,11 +235,11 @@ impl Chord<'_> {
         }
     }
 
-    /// How wide it is on average; a cap's sector has none.
-    pub(super) fn width_mm(&self) -> f64 {
+    /// How wide it is on average; a cap's sector, which lies at one place, has no width.
+    pub(super) fn width_mm(&self) -> Option<f64> {
         match &self.held {
-            &Held::Way(_, t, span, _) => span.per_mm(t).iter().sum::<f32>().into(),
-            Held::Sector(_) => 0.0,
+            &Held::Way(_, t, span, _) => Some(span.per_mm(t).iter().sum::<f32>().into()),
+            Held::Sector(_) => None,
         }
     }
 }

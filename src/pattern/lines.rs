@@ -3,53 +3,31 @@
 use super::center_line::CenterLine;
 use super::left::Left;
 use super::region::{MOST_CORNERS, Region};
+use super::stretches::{Border, Stretches};
 use super::strips::{STRIPS, Strips};
 use crate::lanes::{Lanes, Number, in_lanes};
-use crate::single;
 use arrayvec::ArrayVec;
 use glam::DVec2;
 
 /// Lines beside one another, each in the middle of its share of the width.
 const LINES: usize = STRIPS;
 
-/// Numbers of lines.
-const NUMBERS: Strips = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
-
 /// Others whose cuts are measured.
 const MOST_CUTS: usize = 64;
-
-/// Places further away, mm, are as good as this one, and numbers stay finite.
-const FAR_MM: f64 = 1e30;
 
 /// Lines along a run, as far as they lie in what it covers, and what others cut from them.
 pub(super) struct Lines {
     line: CenterLine,
-    /// Beside its origin: where the first one is.
-    first: DVec2,
-    /// Where the first one's share of the width begins, and how wide each is, mm across from the run's centre line.
-    low_mm: f64,
-    step_mm: f64,
+    /// Beside its origin, in the middle of them.
+    middle: DVec2,
+    /// Where the first one's share of the width begins, and where the last one's ends, mm across from the run's centre line.
+    ends_mm: [f64; 2],
+    /// mm from beside the run's origin.
     whole: Stretches,
 }
 
 /// What others cut from lines: along each in the order in which they begin.
 pub(super) type Cuts = ArrayVec<Stretches, MOST_CUTS>;
-
-/// From where to where something reaches along each line, mm from beside the run's origin; nowhere if both are one.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Stretches {
-    from: Strips,
-    to: Strips,
-}
-
-/// Where lines pass a straight border, mm: evenly, from the first one on.
-#[derive(Clone, Copy)]
-struct Border {
-    place: f32,
-    step: f32,
-    /// To its inner side.
-    enters: bool,
-}
 
 impl Lines {
     /// Along a run, through what it covers.
@@ -64,16 +42,11 @@ impl Lines {
         [low, high]: [f64; 2],
         borders: impl Iterator<Item = [DVec2; 2]>,
     ) -> Self {
-        let step = (high - low) / LINES as f64;
         let mut lines = Self {
             line: *line,
-            first: line.beside(low + 0.5 * step),
-            low_mm: low,
-            step_mm: step,
-            whole: Stretches {
-                from: [single(-FAR_MM); LINES],
-                to: [single(FAR_MM); LINES],
-            },
+            middle: line.beside(0.5 * (low + high)),
+            ends_mm: [low, high],
+            whole: Stretches::endless(),
         };
         let borders = borders.map(|border| lines.border(border));
         let borders: ArrayVec<Border, MOST_CORNERS> = borders.collect();
@@ -83,19 +56,12 @@ impl Lines {
 
     #[inline(always)]
     fn border(&self, [point, inward]: [DVec2; 2]) -> Border {
-        let slope = self.line.approach([point, inward]);
-        // Along a border, all of a line lies on one side.
-        let per_slope = if slope == 0.0 { FAR_MM } else { 1.0 / slope };
-        let [inside, deeper] = [
-            (self.first - point).dot(inward),
-            self.step_mm * self.line.across().dot(inward),
-        ];
-        let place = |inside: f64| single((-inside * per_slope).clamp(-FAR_MM, FAR_MM));
-        Border {
-            place: place(inside),
-            step: place(deeper),
-            enters: slope >= 0.0,
-        }
+        let half_mm = 0.5 * (self.ends_mm[1] - self.ends_mm[0]);
+        Border::of(
+            (self.middle - point).dot(inward),
+            half_mm * self.line.across().dot(inward),
+            self.line.approach([point, inward]),
+        )
     }
 
     /// Adds what of them lies within borders, each a point and an inward direction, to the cuts; false if there were too many.
@@ -122,7 +88,8 @@ impl Lines {
     /// What cuts leave.
     pub(super) fn left(&self, cuts: &Cuts) -> Left {
         let [left, all] = in_lanes!(lanes => self.beside(lanes, cuts));
-        Left::new([self.low_mm, self.step_mm], left, all)
+        let [low, high] = self.ends_mm;
+        Left::new([low, (high - low) / LINES as f64], left, all)
     }
 
     /// How much of each line no cut covers, and how much there is, mm.
@@ -143,45 +110,6 @@ impl Lines {
             lanes.store(sum, &mut left[first..]);
         }
         [left, all]
-    }
-}
-
-impl Stretches {
-    #[inline(always)]
-    fn load<L: Lanes>(&self, lanes: L, first: usize) -> [L::F; 2] {
-        [
-            lanes.load(&self.from[first..]),
-            lanes.load(&self.to[first..]),
-        ]
-    }
-
-    #[inline(always)]
-    fn store<L: Lanes>(&mut self, lanes: L, first: usize, [from, to]: [L::F; 2]) {
-        lanes.store(from, &mut self.from[first..]);
-        lanes.store(to, &mut self.to[first..]);
-    }
-
-    /// Keeps what lies within borders; of a line that has nothing there, its end. Whether there is any.
-    #[inline(always)]
-    fn keep<L: Lanes>(&mut self, lanes: L, borders: &[Border]) -> bool {
-        let mut is_any = false;
-        for first in (0..LINES).step_by(L::WIDTH) {
-            let numbers = lanes.load(&NUMBERS[first..]);
-            let [mut from, end] = self.load(lanes, first);
-            let mut to = end;
-            for border in borders {
-                let place = numbers.times_plus(lanes.all(border.step), lanes.all(border.place));
-                if border.enters {
-                    from = from.max(place);
-                } else {
-                    to = to.min(place);
-                }
-            }
-            is_any |= (to - from).any();
-            let kept = [to.if_above(from, from, end), to.if_above(from, to, end)];
-            self.store(lanes, first, kept);
-        }
-        is_any
     }
 }
 
@@ -238,9 +166,11 @@ mod tests {
             let truth = points / f64::from(steps * steps);
             let line = CenterLine::even(DVec2::new(0.3, 0.0), DVec2::X);
             let ends = [[DVec2::ZERO, DVec2::X], [DVec2::X * length, -DVec2::X]];
-            let mut lines = Lines::within(&line, [-width, 0.0], ends.into_iter());
-            assert!(strips.into_iter().all(|borders| lines.cut(borders)), "room");
-            let left = lines.left().mean;
+            let lines = Lines::within(&line, [-width, 0.0], ends.into_iter());
+            let mut cuts = Cuts::new();
+            let mut strips = strips.iter();
+            assert!(strips.all(|borders| lines.cut(borders, &mut cuts)), "room");
+            let left = lines.left(&cuts).mean;
             let worst = 0.5 / LINES as f64;
             assert!((left - truth).abs() < worst, "{left}, not {truth}");
             off += (left - truth).abs() / 40.0;

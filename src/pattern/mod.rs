@@ -47,6 +47,7 @@ mod sections;
 mod seen;
 mod spline;
 mod store;
+mod stretches;
 mod strip;
 mod strips;
 mod sums;

@@ -69,8 +69,13 @@ impl Pattern {
                 self.touch(&candidates[i - i % TOUCHED..=i]);
             }
             reader.for_each_chord(number as usize, Some(reach), |chord| {
+                let Some(width_mm) = chord.width_mm() else {
+                    is_held = true;
+                    crowd.add(&self.palette, chord.areas([0.0, 1.0]), chord.heading, &EVEN);
+                    return;
+                };
                 let ends = chord.ends.map(|uv| reach.place(uv));
-                let Some(way) = Way::within(reach.footprint, ends, chord.width_mm()) else {
+                let Some(way) = Way::within(reach.footprint, ends, width_mm) else {
                     return;
                 };
                 is_held = true;

@@ -1,8 +1,9 @@
 //! What strips leave of lines along a way.
 
-use super::way::{OFF_MIDDLE, Way};
+use super::way::Way;
 use super::{EIGHT, Eight, Of};
 use crate::lanes::{Lanes, Number};
+use crate::pattern::stretches::OFF_MIDDLE;
 use crate::pattern::strips::{STRIPS, Strips};
 use crate::single;
 use glam::Vec2;
@@ -52,27 +53,23 @@ struct Meeting {
 impl Lines {
     pub(super) fn of(way: &Way) -> Self {
         let [start, end] = way.middle();
-        let [first, last] = way.stretch;
-        let per_way = 1.0 / (last - first);
         let half_width = single(way.half_width_mm);
         let mut lines = Self {
             start: start.as_vec2(),
             way: (end - start).as_vec2(),
             across: -way.along.perp().as_vec2(),
             half_width,
-            off: OFF_MIDDLE.map(|off| half_width * single(off)),
-            from: way.from.map(|at| single((at - first) * per_way)),
+            off: OFF_MIDDLE.map(|off| half_width * off),
+            from: way.lines.from,
             parts: Strips::default(),
             common: [0.0, 1.0],
             mean: [0.0; 2],
         };
         let (mut count, mut sums) = (0.0, [0.0; 2]);
-        for (i, whole) in way.whole().into_iter().enumerate() {
-            let length = whole * single(per_way);
-            let is_held = length > 0.0;
-            let (from, to) = (lines.from[i], lines.from[i] + length);
-            let [begun, ends] = lines.common;
-            if is_held {
+        for (i, (from, to)) in way.lines.from.into_iter().zip(way.lines.to).enumerate() {
+            let length = to - from;
+            if length > 0.0 {
+                let [begun, ends] = lines.common;
                 count += 1.0;
                 sums = [sums[0] + from, sums[1] + length];
                 lines.parts[i] = PARTS as f32 / length;

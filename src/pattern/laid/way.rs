@@ -1,16 +1,12 @@
 //! Which part of a chord of scratch lies in a footprint, line by line along it.
 
-use crate::pattern::region::Region;
+use crate::lanes::in_lanes;
+use crate::pattern::region::{MOST_CORNERS, Region};
+use crate::pattern::stretches::{Border, OFF_MIDDLE, Stretches};
 use crate::pattern::strips::{STRIPS, Strips};
 use crate::single;
+use arrayvec::ArrayVec;
 use glam::DVec2;
-
-/// Slopes are no less than this, so that parallel lines have a ratio.
-const LEAST_SLOPE: f64 = 1e-200;
-
-/// Where strips' middles are, from -1 to 1 across the scratch.
-pub(super) const OFF_MIDDLE: [f64; STRIPS] =
-    [-0.875, -0.625, -0.375, -0.125, 0.125, 0.375, 0.625, 0.875];
 
 /// What of a straight chord of scratch lies in a footprint: lines along it, each in the middle of its strip.
 #[derive(Clone, Copy, Debug)]
@@ -21,11 +17,10 @@ pub(in crate::pattern) struct Way {
     /// Unit direction.
     pub along: DVec2,
     pub half_width_mm: f64,
-    /// Where each line enters and leaves the footprint, as shares of the chord; nowhere unless to > from.
-    pub from: [f64; STRIPS],
-    to: [f64; STRIPS],
-    /// From where to where any does.
+    /// From where to where any of them lies there, as shares of the chord.
     pub stretch: [f64; 2],
+    /// Each of them, as shares of that.
+    pub lines: Stretches,
 }
 
 impl Way {
@@ -38,53 +33,45 @@ impl Way {
         let half_width_mm = 0.5 * width_mm;
         let along = (b - a).normalize_or(DVec2::X);
         let across = -half_width_mm * along.perp();
-        let (mut from, mut to) = ([0.0; STRIPS], [1.0; STRIPS]);
+        let widest = f64::from(OFF_MIDDLE[STRIPS - 1]);
+        // How far inside each edge it starts, how much farther to its right, and how much farther ahead.
+        let mut edges: ArrayVec<[f64; 3], MOST_CORNERS> = ArrayVec::new();
+        let (mut from, mut to) = (0.0, 1.0);
         for (p, q) in footprint.edges() {
             let edge = q - p;
-            let [at_a, at_b, beside] = [a - p, b - p, across].map(|v| edge.perp_dot(v));
-            let away = -beside.abs();
-            if at_a < away && at_b < away {
+            let [inside, end, right] = [a - p, b - p, across].map(|v| edge.perp_dot(v));
+            let (outermost, ahead) = (inside + widest * right.abs(), end - inside);
+            if outermost < 0.0 && outermost + ahead < 0.0 {
                 return None;
             }
-            let slope = at_b - at_a;
-            let slope = if slope.abs() > LEAST_SLOPE {
-                slope
+            // Where the first line comes in, or the last one leaves.
+            let place = -outermost / ahead;
+            from = if ahead > 0.0 && place > from {
+                place
             } else {
-                LEAST_SLOPE
+                from
             };
-            let (middle, spread) = (-at_a / slope, -beside / slope);
-            let places = OFF_MIDDLE.map(|off| middle + spread * off);
-            // Written so that each is one instruction.
-            if slope > 0.0 {
-                for (from, place) in from.iter_mut().zip(places) {
-                    *from = if place > *from { place } else { *from };
-                }
-            } else {
-                for (to, place) in to.iter_mut().zip(places) {
-                    *to = if place < *to { place } else { *to };
-                }
-            }
+            to = if ahead < 0.0 && place < to { place } else { to };
+            edges.push([inside, right, ahead]);
         }
-        let mut stretch = [1.0, 0.0];
-        for (from, to) in from.iter().zip(&mut to) {
-            if *to > *from {
-                let [first, last] = stretch;
-                stretch = [
-                    if *from < first { *from } else { first },
-                    if *to > last { *to } else { last },
-                ];
-            } else {
-                *to = *from;
-            }
+        let length = to - from;
+        if length <= 0.0 {
+            return None;
         }
-        (stretch[1] > stretch[0]).then_some(Self {
+        // Seen from there: single precision is to tell its parts, however long the chord is.
+        let seen = |&[inside, right, ahead]: &[f64; 3]| {
+            Border::of(inside + from * ahead, right, ahead * length)
+        };
+        let borders: ArrayVec<Border, MOST_CORNERS> = edges.iter().map(seen).collect();
+        let mut lines = Stretches::even([0.0, 1.0]);
+        let is_any = in_lanes!(lanes => lines.keep(lanes, &borders));
+        is_any.then(|| Self {
             start: a,
             end: b,
             along,
             half_width_mm,
-            from,
-            to,
-            stretch,
+            stretch: [from, to],
+            lines,
         })
     }
 
@@ -95,6 +82,7 @@ impl Way {
 
     /// What of the chord each line has in the footprint.
     pub(in crate::pattern) fn whole(&self) -> Strips {
-        core::array::from_fn(|i| single(self.to[i] - self.from[i]))
+        let stretch = single(self.stretch[1] - self.stretch[0]);
+        core::array::from_fn(|i| stretch * (self.lines.to[i] - self.lines.from[i]))
     }
 }

@@ -105,7 +105,8 @@ pub(super) fn fullnesses<F: Number>(words: [F; WORDS]) -> [F; STRIPS] {
     reason = "the cast saturates"
 )]
 fn whole(number: f32) -> u16 {
-    number.round() as u16
+    // To the nearest, for none is below 0.
+    (number + 0.5) as u16
 }
 
 #[cfg(test)]
