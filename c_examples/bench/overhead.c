@@ -261,7 +261,8 @@ bool overhead_run(Figures *figures, const char *folder) {
                 plate_init(&bench->empty, WIDTH_MM, WIDTH, error) && plate_scratch(&bench->empty, 0) &&
                 film_init(&bench->film, bench->plate.width, bench->plate.height) &&
                 film_init(&bench->crop, CROP_WIDTH, CROP_HEIGHT);
-    if (!done) fprintf(stderr, "overhead: %s\n", error);
+    /* A table that cannot be opened has said so. */
+    if (!done && (!bench || bench->table.file)) fprintf(stderr, "overhead: %s\n", error);
     if (done) {
         table_say(&bench->table,
                   "What scratches add to a render of a plate of %.0f by %.0f mm: %d by %d pixels, one sample each, "
