@@ -81,21 +81,22 @@ impl TurnedBox {
 }
 
 impl Boxes {
-    /// Of some things, as many as there is room for; what has none meets nothing.
-    #[inline(always)]
-    pub(super) fn of(all: impl Iterator<Item = Option<TurnedBox>>) -> Self {
-        let mut boxes = Self(ArrayVec::new());
+    pub(super) const fn new() -> Self {
+        Self(ArrayVec::new_const())
+    }
+
+    /// Adds boxes of some things, as many as there is room for; what has none meets nothing.
+    pub(super) fn add(&mut self, all: impl Iterator<Item = Option<TurnedBox>>) {
         for (i, own) in all.enumerate().take(MOST_BOXES) {
             if i % EIGHT == 0 {
-                boxes.0.push(NOWHERE.map(|number| [number; EIGHT]));
+                self.0.push(NOWHERE.map(|number| [number; EIGHT]));
             }
-            if let (Some(own), Some(eight)) = (own, boxes.0.last_mut()) {
+            if let (Some(own), Some(eight)) = (own, self.0.last_mut()) {
                 for (all, number) in eight.iter_mut().zip(own.numbers()) {
                     all[i % EIGHT] = number;
                 }
             }
         }
-        boxes
     }
 
     /// How far a box reaches into each.
@@ -173,8 +174,9 @@ mod tests {
             let all: Vec<_> = (0..20).map(|_| any(&mut rng)).collect();
             let (own, others) = (&all[0], &all[1..]);
             let boxes = others.iter().enumerate();
-            let boxes = Boxes::of(boxes.map(|(i, other)| (i % 5 > 0).then_some(other.0)));
-            let depths = boxes.depths(&own.0);
+            let mut around = Boxes::new();
+            around.add(boxes.map(|(i, other)| (i % 5 > 0).then_some(other.0)));
+            let depths = around.depths(&own.0);
             for (i, (around, polygon)) in others.iter().enumerate() {
                 let depth = depths[i / EIGHT][i % EIGHT];
                 let mut shared = own.1;

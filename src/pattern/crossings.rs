@@ -16,13 +16,62 @@ pub(crate) type Parts = ArrayVec<Region, 32>;
 /// How far beside a scratch's edge cuts still matter, as a share of its width: parallax shows the scratch there.
 const BESIDE: f64 = 1.0;
 
+/// What runs cover of the footprint.
+#[derive(Debug)]
+pub(crate) struct Covers<const MOST: usize> {
+    regions: ArrayVec<Option<Region>, MOST>,
+    /// mm².
+    pub areas: ArrayVec<f64, MOST>,
+    boxes: Boxes,
+}
+
+impl<const MOST: usize> Covers<MOST> {
+    /// Of none yet: in place, for room for many is not to be moved.
+    pub(crate) const fn new() -> Self {
+        Self {
+            regions: ArrayVec::new_const(),
+            areas: ArrayVec::new_const(),
+            boxes: Boxes::new(),
+        }
+    }
+
+    /// Adds those of all runs, of which there is room for [`MOST_BOXES`].
+    pub(crate) fn add(&mut self, hits: &[Hit<'_>]) {
+        let Self {
+            regions,
+            areas,
+            boxes,
+        } = self;
+        regions.extend(hits.iter().map(Hit::cover));
+        areas.extend(
+            regions
+                .iter()
+                .map(|region| region.as_ref().map_or(0.0, Region::area)),
+        );
+        boxes.add(hits.iter().zip(regions).map(|(hit, region)| {
+            let region = region.as_ref()?;
+            Some(TurnedBox::around(&hit.line, region))
+        }));
+    }
+
+    /// These runs and what they cover.
+    pub(crate) fn crossing<'c, 'p>(&'c self, hits: &'c [Hit<'p>]) -> Crossing<'c, 'p> {
+        Crossing {
+            hits,
+            covers: &self.regions,
+            areas: &self.areas,
+            boxes: &self.boxes,
+        }
+    }
+}
+
 /// Runs in the order in which they were scratched.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing<'c, 'p> {
     hits: &'c [Hit<'p>],
     /// What each covers of the footprint.
-    covers: &'c [Option<Region>],
-    /// Around that.
+    pub covers: &'c [Option<Region>],
+    areas: &'c [f64],
     boxes: &'c Boxes,
 }
 
@@ -30,25 +79,6 @@ pub(crate) struct Crossing<'c, 'p> {
 pub(crate) type Cutting<'c, 'p> = ArrayVec<&'c Hit<'p>, MOST_BOXES>;
 
 impl<'c, 'p> Crossing<'c, 'p> {
-    /// Of runs that cover this of the footprint, each in its box, of which there is room for [`MOST_BOXES`].
-    pub(crate) fn new(hits: &'c [Hit<'p>], covers: &'c [Option<Region>], boxes: &'c Boxes) -> Self {
-        Self {
-            hits,
-            covers,
-            boxes,
-        }
-    }
-
-    /// Boxes around what runs cover.
-    #[inline(always)]
-    pub(crate) fn boxes(hits: &[Hit<'_>], covers: &[Option<Region>]) -> Boxes {
-        let around = |(hit, cover): (&Hit<'_>, &Option<Region>)| {
-            let cover = cover.as_ref()?;
-            Some(TurnedBox::around(&hit.line, cover))
-        };
-        Boxes::of(hits.iter().zip(covers).map(around))
-    }
-
     /// Whether none of these runs, which all cover some of the footprint, cuts another.
     pub(crate) fn are_apart(hits: &[Hit<'_>]) -> bool {
         hits.iter().enumerate().all(|(i, run)| {
@@ -83,8 +113,9 @@ impl<'c, 'p> Crossing<'c, 'p> {
     /// of it, as if they lay independently of one another.
     pub(crate) fn left(&self, i: usize, cutting: &Cutting<'_, '_>, pixel_area: f64) -> Left {
         let Some(cover) = &self.covers[i] else {
-            let covered = self.later(i).map(|cover| cover.area() / pixel_area);
-            return Left::even(covered.map(|share| 1.0 - share.min(1.0)).product());
+            let later = self.areas[i + 1..].iter();
+            let left = later.map(|area| 1.0 - (area / pixel_area).min(1.0));
+            return Left::even(left.product());
         };
         let lines = Lines::along(&self.hits[i].line, cover);
         let mut cuts = Cuts::new();
@@ -92,11 +123,6 @@ impl<'c, 'p> Crossing<'c, 'p> {
         let mut later = cutting.iter().rev();
         later.all(|later| lines.cut(&later.borders(later.ends_mm), &mut cuts));
         lines.left(&cuts)
-    }
-
-    /// What runs after run `i` cover.
-    fn later(&self, i: usize) -> impl Iterator<Item = &'c Region> {
-        self.covers[i + 1..].iter().flatten()
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::Pattern;
 use super::closest::{length_share, nearest};
-use super::crossings::{Crossing, Cutting, Parts, cut_away};
+use super::crossings::{Covers, Cutting, Parts, cut_away};
 use super::hit::Hit;
 use super::point::{Frame, Metric, SurfacePoint};
 use super::query::{Candidates, Reach};
@@ -233,18 +233,20 @@ impl Listing<'_> {
         if !all {
             return false;
         }
-        let covers: ArrayVec<Option<Region>, MOST_CUT> = runs.iter().map(Hit::cover).collect();
-        let boxes = Crossing::boxes(&runs, &covers);
-        let (crossing, mut cutting) = (Crossing::new(&runs, &covers, &boxes), Cutting::new());
+        let mut covers = Covers::<MOST_CUT>::new();
+        covers.add(&runs);
+        let (crossing, mut cutting) = (covers.crossing(&runs), Cutting::new());
         for (i, run) in runs.iter().enumerate() {
-            let Some(cover) = &covers[i] else { continue };
+            let Some(cover) = &crossing.covers[i] else {
+                continue;
+            };
             let mut parts = Parts::new();
             parts.push(*cover);
             crossing.find_cutting(i, &mut cutting);
             let area = if cut_away(&mut parts, &cutting, self.reach.area_mm2) {
                 parts.iter().map(Region::area).sum()
             } else {
-                sampled(&covers[i + 1..], cover)
+                sampled(&crossing.covers[i + 1..], cover)
             };
             self.add(run, area);
         }

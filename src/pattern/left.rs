@@ -1,7 +1,11 @@
 //! What others leave of a run.
 
 use super::strips::{STRIPS, Strips, shares};
+use crate::lanes::{Lanes, Number, in_lanes};
 use crate::single;
+
+/// Numbers of strips.
+const NUMBERS: Strips = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 /// What others leave of a run, strip by strip across it.
 #[derive(Clone, Copy, Debug)]
@@ -12,8 +16,8 @@ pub(crate) struct Left {
     /// How much of each line that is, mm.
     left_mm: Strips,
     /// Where the first one begins, and how wide each is, mm across from the run's centre line.
-    low_mm: f64,
-    step_mm: f64,
+    low_mm: f32,
+    step_mm: f32,
     /// Where one strip ends and the next begins, mm across from the run's centre line.
     borders_mm: [f32; STRIPS - 1],
 }
@@ -26,8 +30,8 @@ impl Left {
             mean: share(left.iter().sum(), all.iter().sum()).into(),
             strips: core::array::from_fn(|i| share(left[i], all[i])),
             left_mm: left,
-            low_mm: low,
-            step_mm: step,
+            low_mm: single(low),
+            step_mm: single(step),
             borders_mm: core::array::from_fn(|i| single(low + step * (i + 1) as f64)),
         }
     }
@@ -45,17 +49,29 @@ impl Left {
     }
 
     /// What share of all that is left the strips of a cross-section have that reaches from one place to another.
-    pub(crate) fn across(&self, [from, to]: [f64; 2]) -> Strips {
-        let step = (to - from) / STRIPS as f64;
-        shares(core::array::from_fn(|i| {
-            let own = [from + step * i as f64, from + step * (i + 1) as f64];
-            let of_line = |line: usize| {
-                let low = self.low_mm + self.step_mm * line as f64;
-                let width = own[1].min(low + self.step_mm) - own[0].max(low);
-                single(width.max(0.0)) * self.left_mm[line]
-            };
-            (0..STRIPS).map(of_line).sum()
-        }))
+    pub(crate) fn across(&self, ends_mm: [f64; 2]) -> Strips {
+        let [from, to] = ends_mm.map(single);
+        let step = (to - from) / STRIPS as f32;
+        shares(in_lanes!(lanes => self.over(lanes, [from, step])))
+    }
+
+    /// How much of lines lies over strips that begin there and are so wide, by their widths.
+    #[inline(always)]
+    fn over<L: Lanes>(&self, lanes: L, [from, step]: [f32; 2]) -> Strips {
+        let mut over = Strips::default();
+        for first in (0..STRIPS).step_by(L::WIDTH) {
+            let start = lanes.load(&NUMBERS[first..]) * step + from;
+            let (end, none) = (start + step, lanes.all(0.0));
+            let (mut sum, mut low) = (none, self.low_mm);
+            for left in self.left_mm {
+                let high = low + self.step_mm;
+                let width = end.min(lanes.all(high)) - start.max(lanes.all(low));
+                sum = sum + width.max(none) * left;
+                low = high;
+            }
+            lanes.store(sum, &mut over[first..]);
+        }
+        over
     }
 
     /// Where strips end, and the share that is left of each; the outer ones go on without end. Neighbours of which as much is

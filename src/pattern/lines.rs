@@ -20,6 +20,8 @@ pub(super) struct Lines {
     line: CenterLine,
     /// Beside its origin, in the middle of them.
     middle: DVec2,
+    /// From there to the right side.
+    right_mm: DVec2,
     /// Where the first one's share of the width begins, and where the last one's ends, mm across from the run's centre line.
     ends_mm: [f64; 2],
     /// mm from beside the run's origin.
@@ -45,35 +47,30 @@ impl Lines {
         let mut lines = Self {
             line: *line,
             middle: line.beside(0.5 * (low + high)),
+            right_mm: line.across() * (0.5 * (high - low)),
             ends_mm: [low, high],
             whole: Stretches::endless(),
         };
-        let borders = borders.map(|border| lines.border(border));
+        let borders = borders.flat_map(|border| lines.borders(&[border]));
         let borders: ArrayVec<Border, MOST_CORNERS> = borders.collect();
         in_lanes!(lanes => lines.whole.keep(lanes, &borders));
         lines
     }
 
     #[inline(always)]
-    fn border(&self, [point, inward]: [DVec2; 2]) -> Border {
-        let half_mm = 0.5 * (self.ends_mm[1] - self.ends_mm[0]);
-        Border::of(
-            (self.middle - point).dot(inward),
-            half_mm * self.line.across().dot(inward),
-            self.line.approach([point, inward]),
-        )
+    fn borders<const COUNT: usize>(&self, all: &[[DVec2; 2]; COUNT]) -> [Border; COUNT] {
+        let (mut inside, mut right, mut ahead) = ([0.0; COUNT], [0.0; COUNT], [0.0; COUNT]);
+        for (i, &[point, inward]) in all.iter().enumerate() {
+            inside[i] = (self.middle - point).dot(inward);
+            right[i] = self.right_mm.dot(inward);
+            ahead[i] = self.line.approach([point, inward]);
+        }
+        Border::of(&inside, &right, &ahead)
     }
 
     /// Adds what of them lies within borders, each a point and an inward direction, to the cuts; false if there were too many.
     pub(super) fn cut(&self, borders: &[[DVec2; 2]; 4], cuts: &mut Cuts) -> bool {
-        let [a, b, c, d] = borders;
-        // Number by number: mapped, they would be asked for one by one.
-        let borders = [
-            self.border(*a),
-            self.border(*b),
-            self.border(*c),
-            self.border(*d),
-        ];
+        let borders = self.borders(borders);
         let mut part = self.whole;
         if !in_lanes!(lanes => part.keep(lanes, &borders)) {
             return true;

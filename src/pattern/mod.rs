@@ -58,7 +58,7 @@ mod tracks;
 pub(crate) use boxes::MOST_BOXES;
 pub use builder::PatternBuilder;
 pub(crate) use center_line::CenterLine;
-pub(crate) use crossings::{Crossing, Cutting, Parts, cut_away};
+pub(crate) use crossings::{Covers, Crossing, Cutting, Parts, cut_away};
 pub(crate) use crowd::{Crowd, NearCrowd};
 #[cfg(feature = "svg")]
 pub(crate) use generator::tapered;

@@ -28,22 +28,34 @@ pub(super) struct Border {
 }
 
 impl Border {
-    /// A border on whose inner side the middle's start lies so far, so much farther from 1 to the right, and so much farther from
-    /// 1 ahead.
+    /// Borders on whose inner side the middle's start lies so far, so much farther from 1 to the right, and so much farther from
+    /// 1 ahead. All at once: each takes a division.
     #[inline(always)]
-    pub(super) fn of(inside: f64, to_the_right: f64, ahead: f64) -> Self {
-        // Along a border, all of a line lies on one side.
-        let per_way = if ahead == 0.0 { FAR } else { 1.0 / ahead };
-        Self {
-            place: bounded(-inside * per_way),
-            step: bounded(-to_the_right * per_way),
-            enters: ahead >= 0.0,
+    pub(super) fn of<const COUNT: usize>(
+        inside: &[f64; COUNT],
+        to_the_right: &[f64; COUNT],
+        ahead: &[f64; COUNT],
+    ) -> [Self; COUNT] {
+        let (mut places, mut steps) = ([0.0; COUNT], [0.0; COUNT]);
+        for i in 0..COUNT {
+            // Along a border, all of a line lies on one side.
+            let per_way = if ahead[i] == 0.0 { FAR } else { 1.0 / ahead[i] };
+            places[i] = bounded(-inside[i] * per_way);
+            steps[i] = bounded(-to_the_right[i] * per_way);
         }
+        core::array::from_fn(|i| Self {
+            place: places[i],
+            step: steps[i],
+            enters: ahead[i] >= 0.0,
+        })
     }
 }
 
+/// Written so that each is one instruction.
+#[inline(always)]
 fn bounded(place: f64) -> f32 {
-    single(place.clamp(-FAR, FAR))
+    let place = if place < FAR { place } else { FAR };
+    single(if place > -FAR { place } else { -FAR })
 }
 
 impl Stretches {
@@ -114,7 +126,8 @@ mod tests {
         for _ in 0..300 {
             let mut any = || [(); 3].map(|()| rng.random_range(-1.0..1.0_f64));
             let sides = [any(), any(), any()];
-            let borders = sides.map(|[inside, right, ahead]| Border::of(inside, right, ahead));
+            let [inside, right, ahead] = [0, 1, 2].map(|k| sides.map(|side| side[k]));
+            let borders = Border::of(&inside, &right, &ahead);
             let mut kept = Stretches::even([-2.0, 3.0]);
             let is_any = in_lanes!(lanes => kept.keep(lanes, &borders));
             for (i, off) in OFF_MIDDLE.into_iter().enumerate() {
@@ -147,11 +160,7 @@ mod tests {
     fn lines_along_a_border() {
         let mut kept = Stretches::endless();
         // On the inner side from -1/4 to the right.
-        let borders = [
-            Border::of(0.25, 1.0, 0.0),
-            Border::of(0.0, 0.0, 1.0),
-            Border::of(1.0, 0.0, -1.0),
-        ];
+        let borders = Border::of(&[0.25, 0.0, 1.0], &[1.0, 0.0, 0.0], &[0.0, 1.0, -1.0]);
         assert!(in_lanes!(lanes => kept.keep(lanes, &borders)), "nothing");
         let lengths: Vec<f32> = (0..8).map(|i| kept.to[i] - kept.from[i]).collect();
         assert_eq!(lengths, [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0]);

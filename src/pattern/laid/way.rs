@@ -60,9 +60,9 @@ impl Way {
         }
         // Seen from there: single precision is to tell its parts, however long the chord is.
         let seen = |&[inside, right, ahead]: &[f64; 3]| {
-            Border::of(inside + from * ahead, right, ahead * length)
+            Border::of(&[inside + from * ahead], &[right], &[ahead * length])
         };
-        let borders: ArrayVec<Border, MOST_CORNERS> = edges.iter().map(seen).collect();
+        let borders: ArrayVec<Border, MOST_CORNERS> = edges.iter().flat_map(seen).collect();
         let mut lines = Stretches::even([0.0, 1.0]);
         let is_any = in_lanes!(lanes => lines.keep(lanes, &borders));
         is_any.then(|| Self {

@@ -3,8 +3,8 @@
 use super::Shading;
 use crate::formation::MOST_LAYERS;
 use crate::pattern::{
-    Candidates, Crossing, Crowd, Cutting, Hit, Left, MOST_BOXES, NearCrowd, Parts, Pattern, Reach,
-    Region, cut_away,
+    Candidates, Covers, Crossing, Crowd, Cutting, Hit, Left, MOST_BOXES, NearCrowd, Parts, Pattern,
+    Reach, Region, cut_away,
 };
 use crate::scattering::eval::rest;
 use crate::scattering::flocks::{Flock, MOST_FLOCKS};
@@ -180,19 +180,12 @@ impl Shading {
         reach: &Reach<'_>,
         crowd: &mut Option<NearCrowd>,
     ) {
-        // In place: room for all is not to be moved.
-        let mut covers: ArrayVec<Option<Region>, MOST> = ArrayVec::new();
-        covers.extend(hits.iter().map(Hit::cover));
-        let boxes = Crossing::boxes(hits, &covers);
-        let (crossing, mut cutting) = (Crossing::new(hits, &covers, &boxes), Cutting::new());
+        let mut covers = Covers::<MOST>::new();
+        covers.add(hits);
+        let (crossing, mut cutting) = (covers.crossing(hits), Cutting::new());
         let thin_mm = THIN * reach.footprint.thickness();
         let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
-        runs.extend(
-            covers
-                .iter()
-                .map(|cover| cover.as_ref().map_or(0.0, Region::area))
-                .enumerate(),
-        );
+        runs.extend(covers.areas.iter().copied().enumerate());
         runs.sort_by(|a, b| b.1.total_cmp(&a.1));
         let (room, mut taken) = (room(pattern), 0);
         let full = |&(k, &(i, _)): &(usize, &(usize, f64))| {
