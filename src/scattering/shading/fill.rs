@@ -52,7 +52,7 @@ impl Shading {
                 if few.len() <= FEW_HITS
                     && self.add_each::<FEW_HITS>(pattern, few, reach, FEW_HITS) => {}
             Some(many) => self.add_many(pattern, many, reach),
-            None => self.add_as_crowd(pattern, &pattern.crowd(reach), reach),
+            None => self.add_wide_crowd(pattern, reach),
         }
         self.share_out();
     }
@@ -85,6 +85,11 @@ impl Shading {
             self.add_as_crowd(pattern, &crowd, reach);
         }
         crowd.count >= least
+    }
+
+    #[inline(never)]
+    fn add_wide_crowd(&mut self, pattern: &Pattern, reach: &Reach<'_>) {
+        self.add_as_crowd(pattern, &pattern.crowd(reach), reach);
     }
 
     fn add_as_crowd<const BY: usize>(
@@ -159,7 +164,7 @@ impl Shading {
         let mut hits = hits.iter();
         let all = hits.all(|hit| {
             let (parts, gain) = (slice::from_ref(&hit.region), single(hit.alone));
-            let added = self.add(pattern, hit, parts, &Left::even(1.0), gain, reach.area_mm2);
+            let added = self.add(pattern, hit, parts, None, gain, reach.area_mm2);
             added.is_some()
         });
         if !all {
@@ -206,7 +211,7 @@ impl Shading {
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
             let gain = single(alone * hit.alone);
             let whole = reach.area_mm2;
-            let mut add = |parts: &[Region], left: &Left| {
+            let mut add = |parts: &[Region], left: Option<&Left>| {
                 let added = self.add(pattern, hit, parts, left, gain, whole);
                 added.is_some()
             };
@@ -214,14 +219,14 @@ impl Shading {
                 let mut parts = Parts::new();
                 parts.push(hit.region);
                 let are_few = crossing.cut(i, &mut parts, whole) && parts.len() <= MOST_PARTS;
-                are_few && add(&parts, &Left::even(1.0))
+                are_few && add(&parts, None)
             };
             let is_cut = alone > 0.0 && right - left > thin_mm && cut();
             if is_cut && alone == 1.0 {
                 continue;
             }
             let left = crossing.left(i, whole);
-            let added = is_cut || (alone > 0.0 && add(slice::from_ref(&hit.region), &left));
+            let added = is_cut || (alone > 0.0 && add(slice::from_ref(&hit.region), Some(&left)));
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(NearCrowd::new);
@@ -231,14 +236,14 @@ impl Shading {
         }
     }
 
-    /// Adds what is left of a run, of these `parts` of a footprint of so many mm², thinned by `gain`; nothing if there is no
-    /// room.
+    /// Adds what is `left` of a run (or all), of these `parts` of a footprint of so many mm², thinned by `gain`; nothing if
+    /// there is no room.
     fn add(
         &mut self,
         pattern: &Pattern,
         hit: &Hit<'_>,
         parts: &[Region],
-        left: &Left,
+        left: Option<&Left>,
         gain: f32,
         area_mm2: f64,
     ) -> Option<()> {
@@ -247,13 +252,15 @@ impl Shading {
         }
         let densities = &mut self.zones.densities;
         let weight = densities.add_left(parts, left, &hit.line, area_mm2)?;
-        let mut numbers = [0; MOST_LAYERS + 1];
-        for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
-            *number = self.zones.finish(&pattern.hosts.found(&finish));
+        let mut number = |finish| self.zones.finish(&pattern.hosts.found(finish));
+        let (mut numbers, layers) = ([0; MOST_LAYERS + 1], hit.track.layers());
+        for (own, layer) in numbers.iter_mut().zip(layers) {
+            *own = number(&layer.finish);
         }
-        let vertices = self.zones.place(hit, &numbers);
-        let across = hit.line.across().as_vec2();
-        let prepared = self.zones.prepare(vertices, across, weight, self.view);
+        numbers[layers.len().min(MOST_LAYERS)] = number(hit.track.bulk());
+        let (profile, across) = (&hit.profile, hit.line.across().as_vec2());
+        let zones = &mut self.zones;
+        let prepared = zones.prepare_run(profile, layers, &numbers, across, weight, self.view);
         if let Some(mut relief) = prepared {
             relief.gain = gain;
             self.reliefs[self.relief_count as usize] = relief;
