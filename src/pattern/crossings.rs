@@ -29,11 +29,11 @@ impl<'c, 'p> Crossing<'c, 'p> {
     }
 
     /// Whether none of these runs, which all cover some of the footprint, cuts another.
-    pub(crate) fn are_apart(hits: &[Hit<'_>]) -> bool {
+    pub(crate) fn are_apart(hits: &[Hit<'_>], footprint: &Region) -> bool {
         hits.iter().enumerate().all(|(i, run)| {
             let near = beside(run);
             let mut later = hits[i + 1..].iter();
-            later.all(|later| later.adjoins(run) || !run.may_cover(near, &later.region))
+            later.all(|later| later.adjoins(run) || !run.may_cover(near, later.region(footprint)))
         })
     }
 

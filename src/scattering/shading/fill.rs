@@ -48,6 +48,7 @@ impl Shading {
         candidates: Option<&mut Candidates>,
     ) {
         match candidates {
+            Some(few) if few.len() == 1 && self.add_only(pattern, few[0], reach) => {}
             Some(few)
                 if few.len() <= FEW_HITS
                     && self.add_each::<FEW_HITS>(pattern, few, reach, FEW_HITS) => {}
@@ -55,6 +56,18 @@ impl Shading {
             None => self.add_wide_crowd(pattern, reach),
         }
         self.share_out();
+    }
+
+    /// Adds a single piece, if it is one run and no more, as most are: then nothing cuts it, and it need not be kept.
+    #[inline(never)]
+    fn add_only(&mut self, pattern: &Pattern, piece: u32, reach: &Reach<'_>) -> bool {
+        let Some(hit) = pattern.only_run(piece as usize, reach) else {
+            return false;
+        };
+        let parts = slice::from_ref(hit.region(reach.footprint));
+        let added = self.add(pattern, &hit, parts, None, 1.0, reach.area_mm2);
+        self.scratch_count = u32::from(added.is_some() && !hit.is_beside(reach.footprint));
+        added.is_some()
     }
 
     /// Adds more pieces than a few: as a crowd, unless they turn out to be of few scratches. Those that only shade the
@@ -123,7 +136,7 @@ impl Shading {
         };
         let mut last = None;
         let thin_caps = pattern.for_each_run(candidates, reach, thin_caps_mm, &mut |hit| {
-            let is_beside = hit.is_beside();
+            let is_beside = hit.is_beside(reach.footprint);
             beside += usize::from(is_beside);
             if !is_beside {
                 self.scratch_count += u32::from(last != Some(hit.scratch));
@@ -147,9 +160,9 @@ impl Shading {
         if thin_caps {
             pattern.add_thin_caps(&mut crowd, candidates, reach, thin_caps_mm);
         }
-        // Most pixels that hold any: there is nothing to be cut, and room.
+        // There is nothing to be cut, and room.
         let is_plain = || beside == 0 && crowd.is_none() && fit(pattern, &hits);
-        let apart = hits.len() < 2 || is_plain() && Crossing::are_apart(&hits);
+        let apart = hits.len() < 2 || is_plain() && Crossing::are_apart(&hits, reach.footprint);
         if !(apart && self.add_whole(pattern, &hits, reach)) {
             self.add_crossing::<MOST>(pattern, &hits, reach, &mut crowd);
         }
@@ -163,9 +176,8 @@ impl Shading {
         let count = self.scratch_count;
         let mut hits = hits.iter();
         let all = hits.all(|hit| {
-            let (parts, gain) = (slice::from_ref(&hit.region), single(hit.alone));
-            let added = self.add(pattern, hit, parts, None, gain, reach.area_mm2);
-            added.is_some()
+            let parts = slice::from_ref(hit.region(reach.footprint));
+            self.add_parts(pattern, hit, parts, None, single(hit.alone), reach)
         });
         if !all {
             self.clear();
@@ -185,7 +197,7 @@ impl Shading {
     ) {
         // In place: room for all is not to be moved.
         let mut covers: ArrayVec<Option<Region>, MOST> = ArrayVec::new();
-        covers.extend(hits.iter().map(Hit::cover));
+        covers.extend(hits.iter().map(|hit| hit.cover(reach.footprint)));
         let crossing = Crossing::new(hits, &covers);
         let thin_mm = THIN * reach.footprint.thickness();
         let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
@@ -212,12 +224,11 @@ impl Shading {
             let gain = single(alone * hit.alone);
             let whole = reach.area_mm2;
             let mut add = |parts: &[Region], left: Option<&Left>| {
-                let added = self.add(pattern, hit, parts, left, gain, whole);
-                added.is_some()
+                self.add_parts(pattern, hit, parts, left, gain, reach)
             };
             let mut cut = || {
                 let mut parts = Parts::new();
-                parts.push(hit.region);
+                parts.push(*hit.region(reach.footprint));
                 let are_few = crossing.cut(i, &mut parts, whole) && parts.len() <= MOST_PARTS;
                 are_few && add(&parts, None)
             };
@@ -226,7 +237,8 @@ impl Shading {
                 continue;
             }
             let left = crossing.left(i, whole);
-            let added = is_cut || (alone > 0.0 && add(slice::from_ref(&hit.region), Some(&left)));
+            let all = slice::from_ref(hit.region(reach.footprint));
+            let added = is_cut || (alone > 0.0 && add(all, Some(&left)));
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(NearCrowd::new);
@@ -236,8 +248,24 @@ impl Shading {
         }
     }
 
+    /// The same as [`Self::add`], apart; whether there is room.
+    #[inline(never)]
+    fn add_parts(
+        &mut self,
+        pattern: &Pattern,
+        hit: &Hit<'_>,
+        parts: &[Region],
+        left: Option<&Left>,
+        gain: f32,
+        reach: &Reach<'_>,
+    ) -> bool {
+        let added = self.add(pattern, hit, parts, left, gain, reach.area_mm2);
+        added.is_some()
+    }
+
     /// Adds what is `left` of a run (or all), of these `parts` of a footprint of so many mm², thinned by `gain`; nothing if
     /// there is no room.
+    #[inline(always)]
     fn add(
         &mut self,
         pattern: &Pattern,
