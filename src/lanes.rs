@@ -4,12 +4,17 @@
 //! for each number, so that they agree to rounding.
 
 mod first;
+mod one;
+mod vector;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::sync::atomic::{AtomicBool, Ordering};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, f32x8, u16x8};
-pub(crate) use first::{first_below_any, first_of};
+pub(crate) use first::{First, first_below_any, first_of};
+use glam::Vec2;
+pub(crate) use one::One;
+pub(crate) use vector::Vector;
 
 /// Whether registers of eight may be used at all.
 static ALLOWED: AtomicBool = AtomicBool::new(true);
@@ -56,58 +61,9 @@ pub(crate) trait Number:
     fn each(self, of: impl FnMut(usize, f32) -> f32) -> Self;
     fn lane(self, lane: usize) -> f32;
     fn sum(self) -> f32;
-}
-
-impl Number for f32 {
-    #[inline(always)]
-    fn like(self, value: Self) -> Self {
-        value
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if self < other { self } else { other }
-    }
-
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self > other { self } else { other }
-    }
-
-    #[inline(always)]
-    fn times_plus(self, by: Self, plus: Self) -> Self {
-        self * by + plus
-    }
-
-    #[inline(always)]
-    fn if_above(self, least: Self, then: Self, otherwise: Self) -> Self {
-        if self > least { then } else { otherwise }
-    }
-
-    #[inline(always)]
-    fn any(self) -> bool {
-        self > 0.0
-    }
-
-    #[inline(always)]
-    fn each(self, mut of: impl FnMut(usize, Self) -> Self) -> Self {
-        of(0, self)
-    }
-
-    #[inline(always)]
-    fn lane(self, _: usize) -> Self {
-        self
-    }
-
-    #[inline(always)]
-    fn sum(self) -> Self {
-        self
-    }
+    fn least(self) -> f32;
+    /// Without what is behind the point: of shares up to 65535.
+    fn cut_off(self) -> Self;
 }
 
 impl<S: Simd> Number for f32x8<S> {
@@ -162,6 +118,18 @@ impl<S: Simd> Number for f32x8<S> {
         let [a, b, c, d] = (low + high).to_array();
         (a + c) + (b + d)
     }
+
+    #[inline(always)]
+    fn least(self) -> f32 {
+        let (low, high) = self.split();
+        let [a, b, c, d] = SimdBase::min(low, high).to_array();
+        Number::min(Number::min(a, c), Number::min(b, d))
+    }
+
+    #[inline(always)]
+    fn cut_off(self) -> Self {
+        SimdFloat::trunc(self)
+    }
 }
 
 /// How many numbers are looked at together, and how they are made.
@@ -175,6 +143,10 @@ pub(crate) trait Lanes: Copy {
     fn load(self, values: &[f32]) -> Self::F;
     /// The same of whole numbers.
     fn load_whole(self, values: &[u16]) -> Self::F;
+    /// The same of pairs: their first and their second ones.
+    fn load_pairs(self, pairs: &[Vec2]) -> [Self::F; 2];
+    /// Which numbers are above others: a bit for each.
+    fn above(self, numbers: Self::F, others: Self::F) -> u32;
     /// In each place the least from there on.
     fn least_from(self, numbers: Self::F) -> Self::F;
     /// In each place the most up to there.
@@ -195,73 +167,9 @@ pub(crate) trait Lanes: Copy {
     fn call<R>(self, work: impl FnOnce() -> R) -> R;
 }
 
-/// One by one.
-#[derive(Clone, Copy)]
-pub(crate) struct One;
-
 /// Eight at a time.
 #[derive(Clone, Copy)]
 pub(crate) struct Eight<S>(pub S);
-
-impl Lanes for One {
-    type F = f32;
-    const WIDTH: usize = 1;
-
-    #[inline(always)]
-    fn all(self, value: f32) -> f32 {
-        value
-    }
-
-    #[inline(always)]
-    fn load(self, values: &[f32]) -> f32 {
-        values[0]
-    }
-
-    #[inline(always)]
-    fn load_whole(self, values: &[u16]) -> f32 {
-        f32::from(values[0])
-    }
-
-    #[inline(always)]
-    fn least_from(self, numbers: f32) -> f32 {
-        numbers
-    }
-
-    #[inline(always)]
-    fn most_up_to(self, numbers: f32) -> f32 {
-        numbers
-    }
-
-    #[inline(always)]
-    fn store(self, numbers: f32, values: &mut [f32]) {
-        values[0] = numbers;
-    }
-
-    #[inline(always)]
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the cast saturates"
-    )]
-    fn store_whole(self, numbers: f32, values: &mut [u16]) {
-        values[0] = numbers as u16;
-    }
-
-    #[inline(always)]
-    fn made(self, mut of: impl FnMut(usize) -> f32) -> f32 {
-        of(0)
-    }
-
-    #[inline(always)]
-    fn of_three(self, a: [f32; 3], b: [f32; 3], of: impl Fn(f32, f32) -> f32) -> [f32; 3] {
-        [of(a[0], b[0]), of(a[1], b[1]), of(a[2], b[2])]
-    }
-
-    #[inline(always)]
-    fn call<R>(self, work: impl FnOnce() -> R) -> R {
-        work()
-    }
-}
 
 impl<S: Simd> Lanes for Eight<S> {
     type F = f32x8<S>;
@@ -284,6 +192,19 @@ impl<S: Simd> Lanes for Eight<S> {
         let all = self.0.combine_u32x4(first, last);
         // None is so large that it would be negative.
         self.0.cvt_f32_i32x8(all.bitcast())
+    }
+
+    #[inline(always)]
+    fn load_pairs(self, pairs: &[Vec2]) -> [Self::F; 2] {
+        let (first, second) = bytemuck::cast_slice(&pairs[..EIGHT]).split_at(EIGHT);
+        let (x, y) = self.load(first).deinterleave(self.load(second));
+        [x, y]
+    }
+
+    #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, reason = "of eight bits")]
+    fn above(self, numbers: Self::F, others: Self::F) -> u32 {
+        numbers.simd_gt(others).to_bitmask() as u32
     }
 
     /// Of neighbours, then of twos, then of fours.
@@ -370,34 +291,3 @@ macro_rules! in_lanes {
     }};
 }
 pub(crate) use in_lanes;
-
-/// Three numbers, or eight times three.
-#[derive(Clone, Copy)]
-pub(crate) struct Vector<F> {
-    pub x: F,
-    pub y: F,
-    pub z: F,
-}
-
-impl Vector<f32> {
-    /// The same in each place.
-    #[inline(always)]
-    pub(crate) fn all<L: Lanes>(self, lanes: L) -> Vector<L::F> {
-        Vector {
-            x: lanes.all(self.x),
-            y: lanes.all(self.y),
-            z: lanes.all(self.z),
-        }
-    }
-
-    pub(crate) fn to_array(self) -> [f32; 3] {
-        [self.x, self.y, self.z]
-    }
-}
-
-impl<F: Number> Vector<F> {
-    #[inline(always)]
-    pub(crate) fn dot(self, other: Self) -> F {
-        self.x * other.x + self.y * other.y + self.z * other.z
-    }
-}

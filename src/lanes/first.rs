@@ -14,6 +14,30 @@ pub(crate) fn first_below_any<L: Lanes>(lanes: L, count: usize, numbers: L::F) -
     up_to(lanes, count, numbers, const { &bounds(f32::NEG_INFINITY) })
 }
 
+/// Which of a register's numbers are looked at: the first so many.
+#[derive(Clone, Copy)]
+pub(crate) struct First<F>(F);
+
+impl<F: Number> First<F> {
+    #[inline(always)]
+    pub(crate) fn of<L: Lanes<F = F>>(lanes: L, count: usize) -> Self {
+        let bounds = const { &bounds(f32::NEG_INFINITY) };
+        Self(lanes.load(&bounds[EIGHT - count.min(EIGHT)..]))
+    }
+
+    /// They, and what none is below in place of the others.
+    #[inline(always)]
+    pub(crate) fn below_any(self, numbers: F) -> F {
+        self.0.min(numbers)
+    }
+
+    /// They, and what none is above in place of the others.
+    #[inline(always)]
+    pub(crate) fn above_any(self, numbers: F) -> F {
+        (-self.0).max(numbers)
+    }
+}
+
 /// Any number's bound as often as there are lanes, then another one's.
 const fn bounds(last: f32) -> [f32; 2 * EIGHT] {
     let any = f32::INFINITY;

@@ -107,6 +107,7 @@ impl CenterLine {
     }
 
     /// From where to where across a region reaches.
+    #[inline(always)]
     pub(crate) fn extent(&self, region: &Region) -> [f64; 2] {
         if self.is_even() {
             return region.extent(self.origin, self.across());

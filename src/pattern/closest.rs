@@ -56,9 +56,16 @@ impl Powers {
 /// Parameter and point nearest to `target` on the line from the one point to the other, and its unit tangent.
 #[inline(always)]
 pub(crate) fn nearest_on_line(from: DVec2, to: DVec2, target: DVec2) -> (f64, DVec2, DVec2) {
+    let (t, point) = foot_on_line(from, to, target);
+    (t, point, unit_or_x(to - from))
+}
+
+/// The same without the tangent.
+#[inline(always)]
+pub(crate) fn foot_on_line(from: DVec2, to: DVec2, target: DVec2) -> (f64, DVec2) {
     let chord = to - from;
     let t = foot(from, chord, target);
-    (t, from + chord * t, unit_or_x(chord))
+    (t, from + chord * t)
 }
 
 /// The share of a chord at which it comes nearest to `target`.

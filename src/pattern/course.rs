@@ -99,6 +99,7 @@ impl Course<'_> {
     }
 
     /// Its value at a share of arc length.
+    #[inline(always)]
     pub(crate) fn value(&self, at: f64) -> f64 {
         if let [only] = self.knots {
             return f64::from(only[1]) * f64::from(self.scale);
@@ -107,7 +108,11 @@ impl Course<'_> {
     }
 
     /// The same, and the number of the first knot behind it.
+    #[inline(always)]
     pub(crate) fn value_and_next(&self, at: f64) -> (f64, usize) {
+        if let [only] = self.knots {
+            return (f64::from(only[1]) * f64::from(self.scale), 0);
+        }
         let next = self.next(at);
         (self.value_before(next, at), next)
     }

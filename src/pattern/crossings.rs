@@ -36,13 +36,13 @@ impl<const MOST: usize> Covers<MOST> {
     }
 
     /// Adds those of all runs, of which there is room for [`MOST_BOXES`].
-    pub(crate) fn add(&mut self, hits: &[Hit<'_>]) {
+    pub(crate) fn add(&mut self, hits: &[Hit<'_>], footprint: &Region) {
         let Self {
             regions,
             areas,
             boxes,
         } = self;
-        regions.extend(hits.iter().map(Hit::cover));
+        regions.extend(hits.iter().map(|hit| hit.cover(footprint)));
         areas.extend(
             regions
                 .iter()
@@ -55,9 +55,14 @@ impl<const MOST: usize> Covers<MOST> {
     }
 
     /// These runs and what they cover.
-    pub(crate) fn crossing<'c, 'p>(&'c self, hits: &'c [Hit<'p>]) -> Crossing<'c, 'p> {
+    pub(crate) fn crossing<'c, 'p>(
+        &'c self,
+        hits: &'c [Hit<'p>],
+        footprint: &'c Region,
+    ) -> Crossing<'c, 'p> {
         Crossing {
             hits,
+            footprint,
             covers: &self.regions,
             areas: &self.areas,
             boxes: &self.boxes,
@@ -69,6 +74,7 @@ impl<const MOST: usize> Covers<MOST> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing<'c, 'p> {
     hits: &'c [Hit<'p>],
+    footprint: &'c Region,
     /// What each covers of the footprint.
     pub covers: &'c [Option<Region>],
     areas: &'c [f64],
@@ -80,11 +86,11 @@ pub(crate) type Cutting<'c, 'p> = ArrayVec<&'c Hit<'p>, MOST_BOXES>;
 
 impl<'c, 'p> Crossing<'c, 'p> {
     /// Whether none of these runs, which all cover some of the footprint, cuts another.
-    pub(crate) fn are_apart(hits: &[Hit<'_>]) -> bool {
+    pub(crate) fn are_apart(hits: &[Hit<'_>], footprint: &Region) -> bool {
         hits.iter().enumerate().all(|(i, run)| {
             let near = beside(run);
             let mut later = hits[i + 1..].iter();
-            later.all(|later| later.adjoins(run) || !run.may_cover(near, &later.region))
+            later.all(|later| later.adjoins(run) || !run.may_cover(near, later.region(footprint)))
         })
     }
 
@@ -98,7 +104,8 @@ impl<'c, 'p> Crossing<'c, 'p> {
         cutting.clear();
         if self.covers[i].is_some() {
             let run = &self.hits[i];
-            let along = run.region.extent(run.line.origin, run.line.travel);
+            let region = run.region(self.footprint);
+            let along = region.extent(run.line.origin, run.line.travel);
             let across = run.line.widest(beside(run), along);
             let depths = self
                 .boxes

@@ -35,7 +35,7 @@ const LONG: f64 = 8.0;
 const CROWDED: f64 = 4.0;
 
 /// Most parts of a cell, per side.
-const MOST_PARTS: f64 = 1024.0;
+const MOST_PARTS: u32 = 1024;
 
 /// Each part of each cell lists the pieces that cross it, all in two flat arrays: no pointers to chase.
 #[derive(Clone, Debug, Default)]
@@ -95,7 +95,7 @@ impl Grid {
         let pieces = curves.pieces.len() as f64;
         let per_piece = listed / pieces;
         let per_part = (PER_PART * pieces / MANY).clamp(LEAST_PER_PART, PER_PART);
-        let most = (MOST_PARTS_PER_PIECE / per_piece).clamp(1.0, MOST_PARTS);
+        let most = (MOST_PARTS_PER_PIECE / per_piece).clamp(1.0, MOST_PARTS.into());
         let mut first = 0;
         let cell = |&count: &u32| {
             let side = (f64::from(count) / per_part).sqrt().ceil();
@@ -145,6 +145,20 @@ impl Grid {
         low.cmple(self.hull[1]).all() && high.cmpge(self.hull[0]).all()
     }
 
+    /// The cells that a box touches, if it touches any.
+    #[inline(always)]
+    pub(super) fn touched(&self, low: DVec2, high: DVec2) -> Touched {
+        let within = [low, high].map(|place| self.raster.in_cells(place));
+        let last = DVec2::new(self.raster.columns.into(), self.raster.rows.into()) - 1.0;
+        let cell = |place: f64, last: f64| cell_number(if place < last { place } else { last });
+        let [from, to] = within;
+        Touched {
+            columns: cell(from.x, last.x)..cell(to.x, last.x) + 1,
+            rows: cell(from.y, last.y)..cell(to.y, last.y) + 1,
+            within,
+        }
+    }
+
     /// Calls `visit` with lists of all pieces that may touch a box, each once or more, until it breaks. These cells are
     /// those that the box touches.
     #[inline(always)]
@@ -153,20 +167,29 @@ impl Grid {
         cells: &Touched,
         mut visit: impl FnMut(&[u32]) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        let (starts, entries) = (&*self.starts, &*self.entries);
+        let (cells_of, starts, entries) = (&*self.cells, &*self.starts, &*self.entries);
         let [low, high] = cells.within;
         for row in cells.rows.clone() {
             for column in cells.columns.clone() {
                 let number = row * self.raster.columns + column;
-                let Some(cell) = self.cell(number as usize) else {
+                let Some(cell) = cells_of.get(number as usize) else {
                     continue;
                 };
+                // A damaged file may claim endlessly many parts.
+                if cell.side > MOST_PARTS {
+                    continue;
+                }
                 let corner = DVec2::new(column.into(), row.into());
                 let [left, bottom] = cell.part_at(low - corner);
                 let [right, top] = cell.part_at(high - corner);
                 for row in bottom..top + 1 {
-                    let first = cell.first + row * cell.side;
-                    visit(lists(starts, entries, [first + left, first + right]))?;
+                    // Of a damaged file's, any number.
+                    let first = cell.first.wrapping_add(row * cell.side);
+                    let parts = [left, right].map(|column| first.wrapping_add(column));
+                    let listed = lists(starts, entries, parts);
+                    if !listed.is_empty() {
+                        visit(listed)?;
+                    }
                 }
             }
         }
@@ -178,15 +201,6 @@ impl Grid {
         size_of_val(&self.cells[..])
             + size_of_val(&self.starts[..])
             + size_of_val(&self.entries[..])
-    }
-
-    /// A cell, if its parts end where the next one's begin: a damaged file may claim endlessly many.
-    fn cell(&self, number: usize) -> Option<Cell> {
-        let cell = *self.cells.get(number)?;
-        let next = self.cells.get(number + 1);
-        let end = next.map_or(self.starts.len() as u64 - 1, |next| next.first.into());
-        let parts = u64::from(cell.side) * u64::from(cell.side);
-        (u64::from(cell.first) + parts == end).then_some(cell)
     }
 
     /// Whether its numbers fit together, which a damaged file's may not.

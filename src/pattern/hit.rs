@@ -22,10 +22,10 @@ pub(crate) struct Hit<'p> {
     pub line: CenterLine,
     /// Point and unit direction, forwards, of the lines across which this run begins and ends.
     pub parting: [[DVec2; 2]; 2],
-    /// What of the footprint lies between those lines, beside the run too.
-    pub region: Region,
-    /// The share of its piece that later scratches leave.
-    pub visible: f32,
+    /// What of the footprint lies between those lines, beside the run too, unless all of it does.
+    pub part: Option<Region>,
+    /// The number of the piece that it is on, or begins on.
+    pub piece: usize,
     /// How much of it counts as a scratch of its own: the rest of a thin cap is left to a crowd.
     pub alone: f64,
 }
@@ -36,14 +36,22 @@ impl Hit<'_> {
         self.profile.vertex_count + 2 * self.track.layers().len()
     }
 
+    /// What of a footprint lies between the lines across which it begins and ends.
+    #[inline(always)]
+    pub(crate) fn region<'r>(&'r self, footprint: &'r Region) -> &'r Region {
+        self.part.as_ref().unwrap_or(footprint)
+    }
+
     /// What it covers of the footprint.
-    pub(crate) fn cover(&self) -> Option<Region> {
-        self.region.within(&self.line.sides(self.ends_mm))
+    pub(crate) fn cover(&self, footprint: &Region) -> Option<Region> {
+        let sides = self.line.sides(self.ends_mm);
+        self.region(footprint).within(&sides)
     }
 
     /// Whether it covers nothing of the footprint, but lies beside it.
-    pub(crate) fn is_beside(&self) -> bool {
-        let [low, high] = self.line.extent(&self.region);
+    #[inline(always)]
+    pub(crate) fn is_beside(&self, footprint: &Region) -> bool {
+        let [low, high] = self.line.extent(self.region(footprint));
         let [left, right] = self.ends_mm;
         low >= right || high <= left
     }

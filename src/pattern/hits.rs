@@ -223,7 +223,7 @@ impl Listing<'_> {
         let mut all = true;
         let (pattern, reach) = (self.pattern, self.reach);
         pattern.for_each_run(candidates, reach, 0.0, &mut |run| {
-            all = run.is_beside() || runs.try_push(*run).is_ok();
+            all = run.is_beside(reach.footprint) || runs.try_push(*run).is_ok();
             if all {
                 ControlFlow::Continue(())
             } else {
@@ -234,8 +234,8 @@ impl Listing<'_> {
             return false;
         }
         let mut covers = Covers::<MOST_CUT>::new();
-        covers.add(&runs);
-        let (crossing, mut cutting) = (covers.crossing(&runs), Cutting::new());
+        covers.add(&runs, reach.footprint);
+        let (crossing, mut cutting) = (covers.crossing(&runs, reach.footprint), Cutting::new());
         for (i, run) in runs.iter().enumerate() {
             let Some(cover) = &crossing.covers[i] else {
                 continue;
@@ -254,8 +254,12 @@ impl Listing<'_> {
     }
 
     fn add_average(&mut self, run: &Hit<'_>) {
-        let area = run.cover().as_ref().map_or(0.0, Region::area);
-        self.add(run, area * f64::from(run.visible));
+        let area = run
+            .cover(self.reach.footprint)
+            .as_ref()
+            .map_or(0.0, Region::area);
+        let visible = self.pattern.visible_share(run.piece);
+        self.add(run, area * f64::from(visible));
     }
 
     fn add(&mut self, run: &Hit<'_>, area: f64) {

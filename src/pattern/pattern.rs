@@ -250,6 +250,7 @@ impl Pattern {
     }
 
     /// A scratch's cross-sections, and how they follow one another along it.
+    #[inline(always)]
     pub(super) fn strand(&self, scratch: u32) -> Option<(TrackRef<'_>, Course<'_>)> {
         let strand = self.strands.get(scratch as usize)?;
         let first = strand.first_knot as usize;

@@ -201,6 +201,15 @@ impl Curves<'_> {
         piece.is_line().then(|| [ends[0], ends[1]])
     }
 
+    /// Whether a piece is a path by itself.
+    #[inline(always)]
+    pub(crate) fn is_alone(&self, number: usize) -> bool {
+        let scratch = |i: usize| self.pieces.get(i).map(|piece| piece.scratch);
+        let own = scratch(number);
+        let is_joined = self.pieces.get(number).is_some_and(Piece::is_joined);
+        !is_joined && scratch(number.wrapping_sub(1)) != own && scratch(number + 1) != own
+    }
+
     /// Control points of a piece's cubic curve, (u, v).
     pub(crate) fn control(&self, number: usize) -> [DVec2; 4] {
         let place = self.pieces.get(number).map_or(0, |piece| piece.place);

@@ -4,14 +4,20 @@ use super::region::THINNEST_MM;
 use crate::error::{Error, Result, all_finite, in_range};
 use crate::unit;
 use core::f64::consts::FRAC_1_SQRT_2;
-use glam::{DMat2, DVec2, DVec3, Vec3};
+use glam::{DMat2, DVec2, Vec3};
 
 /// Longer footprints are taken for mistakes.
 const LONGEST_MM: f64 = 1e12;
 
 /// Derivatives and normals whose box has less than one in so many of the volume that their lengths could span are
 /// looked at closely.
-const MOST_SKEW: f64 = 1e6;
+const MOST_SKEW: f32 = 1e3;
+
+/// So are shorter ones, squared: single precision loses their digits.
+const SHORTEST: f32 = 1e-20;
+
+/// What single precision may add to the box's volume, as a share of what their lengths could span.
+const ROUNDING: f32 = 2e-6;
 
 /// Points farther out in texture space are looked at closely.
 const FARTHEST_UV: f64 = 1e300;
@@ -112,12 +118,19 @@ impl SurfacePoint {
     /// near, and need no frame. None for points that ask for a closer look, and for those that are not usable.
     #[inline(always)]
     pub(crate) fn box_at_a_glance(&self, mm_per_unit: f64, reach_mm: f64) -> Option<[DVec2; 2]> {
-        let [du, dv, normal] =
-            [self.dp_du, self.dp_dv, self.normal].map(|v| Vec3::from(v).as_dvec3());
-        let [du_length, dv_length, length] = [du, dv, normal].map(DVec3::length);
-        let area = du.cross(dv).dot(normal).abs();
+        let [du, dv, normal] = [self.dp_du, self.dp_dv, self.normal].map(Vec3::from);
+        let squares = [du, dv, normal].map(Vec3::length_squared);
+        let [du_length, dv_length, length] = squares.map(f32::sqrt);
+        let span = du_length * dv_length * length;
+        let volume = du.cross(dv).dot(normal).abs() - ROUNDING * span;
+        let is_long = squares.iter().all(|square| *square > SHORTEST);
+        if !(is_long && span < MOST_SKEW * volume) {
+            return None;
+        }
+        let [du_length, dv_length, length] = [du_length, dv_length, length].map(f64::from);
         // A step of 1 mm is the less far in u the longer dP/du, the farther the more it leans towards dP/dv.
-        let uv_per_mm = DVec2::new(dv_length, du_length) * (length / (area * mm_per_unit));
+        let uv_per_mm =
+            DVec2::new(dv_length, du_length) * (length / (f64::from(volume) * mm_per_unit));
         let (half, reach_mm, longest_mm) = match self.footprint {
             Footprint::Point => (DVec2::ZERO, reach_mm, THINNEST_MM),
             Footprint::Radius(radius) => {
@@ -133,14 +146,14 @@ impl SurfacePoint {
         };
         // What makes a sliver a region may widen it by so much.
         let reach_mm = reach_mm + THINNEST_MM + 1e-7 * longest_mm;
-        let is_plain = du_length * dv_length * length < MOST_SKEW * area
-            && longest_mm > 0.0
-            && longest_mm < LONGEST_MM;
+        if !(longest_mm > 0.0 && longest_mm < LONGEST_MM) {
+            return None;
+        }
         let uv = DVec2::from(self.uv);
         let reach = half + uv_per_mm * reach_mm;
         // Sooner told than which numbers are finite.
         let is_near = uv.abs().cmplt(DVec2::splat(FARTHEST_UV)).all();
-        (is_plain && is_near).then_some([uv - reach, uv + reach])
+        is_near.then_some([uv - reach, uv + reach])
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::course::Course;
 use super::tracks::TrackRef;
+use crate::lanes::Lanes;
 use crate::single;
 use glam::Vec2;
 
@@ -110,9 +111,11 @@ impl<'p> Profile<'p> {
 
     #[inline(always)]
     fn vertex(&self, number: usize) -> Vec2 {
-        let weighed =
-            |shape: usize| self.vertices[self.begin(shape) + number] * self.weights[shape];
-        (0..self.shapes).map(weighed).sum()
+        let mut sum = self.vertices[number] * self.weights[0];
+        for shape in 1..self.shapes {
+            sum += self.vertices[self.begin(shape) + number] * self.weights[shape];
+        }
+        sum
     }
 
     /// Its vertices, as x and z written to the two slices.
@@ -132,7 +135,32 @@ impl<'p> Profile<'p> {
         }
     }
 
+    /// The same with as many at a time as there are lanes.
+    #[inline(always)]
+    pub(crate) fn sample_in<L: Lanes>(&self, lanes: L, xs: &mut [f32], zs: &mut [f32]) {
+        let count = self.vertex_count;
+        if count < L::WIDTH {
+            return self.sample(xs, zs);
+        }
+        let mut k = 0;
+        while k < count {
+            // The last ones once more, so that none beyond them are touched.
+            let number = k.min(count - L::WIDTH);
+            let [mut x, mut z] = lanes.load_pairs(&self.vertices[number..]);
+            (x, z) = (x * self.weights[0], z * self.weights[0]);
+            for shape in 1..self.shapes {
+                let own = &self.vertices[self.begin(shape) + number..];
+                let ([own_x, own_z], weight) = (lanes.load_pairs(own), self.weights[shape]);
+                (x, z) = (x + own_x * weight, z + own_z * weight);
+            }
+            lanes.store(x, &mut xs[number..]);
+            lanes.store(z, &mut zs[number..]);
+            k += L::WIDTH;
+        }
+    }
+
     /// Where it begins and ends, mm.
+    #[inline(always)]
     pub(crate) fn ends(&self) -> [f32; 2] {
         match self.vertex_count {
             0 => [0.0; 2],

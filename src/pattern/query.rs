@@ -116,30 +116,31 @@ impl Pattern {
     /// The pieces near a box in (u, v); false if they are too many.
     #[inline(always)]
     pub(crate) fn pieces_near(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
-        !self.grid.touches(low, high) || self.pieces_listed(low, high, found)
+        !self.touches(low, high) || self.pieces_listed(low, high, found)
+    }
+
+    /// Whether any piece may be near a box in (u, v).
+    #[inline(always)]
+    pub(crate) fn touches(&self, low: DVec2, high: DVec2) -> bool {
+        self.grid.touches(low, high)
     }
 
     /// The same, of a box that touches the grid.
     #[inline(never)]
     fn pieces_listed(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
-        let cells = match self.grid.raster.touched(low, high) {
-            None => return true,
-            Some(cells) if cells.count() > MOST_CELLS => return false,
-            Some(cells) => cells,
-        };
-        let curves = self.curves();
+        let cells = self.grid.touched(low, high);
+        if cells.count() > MOST_CELLS {
+            return false;
+        }
         let flow = self.grid.query(&cells, |listed| {
-            for &number in listed {
-                let is_known = found.last() == Some(&number);
-                if is_known || curves.misses(number, low, high) {
-                    continue;
-                }
-                if found.len() == FEW {
-                    return ControlFlow::Break(());
-                }
-                found.push(number);
+            let mut listed = listed.iter();
+            let all = listed.all(|&number| {
+                found.last() == Some(&number) || self.take_few(number, [low, high], found)
+            });
+            match all {
+                true => ControlFlow::Continue(()),
+                false => ControlFlow::Break(()),
             }
-            ControlFlow::Continue(())
         });
         if flow.is_break() {
             found.clear();
@@ -151,6 +152,19 @@ impl Pattern {
             found.retain(|number| last.replace(*number) != Some(*number));
         }
         true
+    }
+
+    /// Adds a piece if it is near a box; false if it is one more than a few.
+    #[inline(never)]
+    fn take_few(&self, number: u32, [low, high]: [DVec2; 2], found: &mut Candidates) -> bool {
+        if self.curves().misses(number, low, high) {
+            return true;
+        }
+        let has_room = found.len() < FEW;
+        if has_room {
+            found.push(number);
+        }
+        has_room
     }
 
     /// The same where pieces are listed again and again, as they are where many are near: known ones are known at once.

@@ -10,16 +10,38 @@ pub(crate) const MOST_CORNERS: usize = 12;
 /// footprint a polygon like all others.
 pub(crate) const THINNEST_MM: f64 = 1e-6;
 
+/// The same as a share of its length.
+const THINNEST: f64 = 1e-7;
+
+/// Lines farther away are looked at one by one.
+const FARTHEST_MM: f64 = 1e300;
+
 /// A convex polygon, counter-clockwise, relative to the footprint's centre.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Region {
     corners: [DVec2; MOST_CORNERS],
-    count: usize,
+    count: u32,
+    /// Whether it is a whole parallelogram around the origin.
+    is_whole: bool,
 }
 
 impl Region {
     /// The parallelogram around the origin with edges `a` and `b`, at least a nanometre thick.
+    #[inline(always)]
     pub(crate) fn parallelogram(a: DVec2, b: DVec2) -> Self {
+        let (area, square) = (a.perp_dot(b), a.length_squared().max(b.length_squared()));
+        let is_thick = area * area > THINNEST_MM * THINNEST_MM * square
+            && area.abs() > THINNEST * square
+            && square > THINNEST_MM * THINNEST_MM;
+        match is_thick {
+            true => Self::whole(a, b, area),
+            false => Self::sliver(a, b),
+        }
+    }
+
+    /// The same of one that may have no thickness, or no size.
+    #[inline(never)]
+    fn sliver(a: DVec2, b: DVec2) -> Self {
         let (long, short) = if a.length_squared() >= b.length_squared() {
             (a, b)
         } else {
@@ -33,33 +55,42 @@ impl Region {
         };
         let normal = long.perp() / long.length();
         let thick = short.dot(normal);
-        let least = THINNEST_MM.max(1e-7 * length);
-        // A sliver is thickened across its longer edge.
+        let least = THINNEST_MM.max(THINNEST * length);
+        // It is thickened across its longer edge.
         let short = if thick.abs() < least {
             short + normal * (least.copysign(thick) - thick)
         } else {
             short
         };
-        let short = if long.perp_dot(short) < 0.0 {
-            -short
-        } else {
-            short
-        };
-        let (p, q) = (0.5 * (long + short), 0.5 * (long - short));
+        Self::whole(long, short, long.perp_dot(short))
+    }
+
+    /// With edges that span this area: below 0 if the second one lies to the right of the first.
+    #[inline(always)]
+    fn whole(a: DVec2, b: DVec2, area: f64) -> Self {
+        let (p, q) = (0.5 * (a + b), 0.5_f64.copysign(area) * (a - b));
         let mut corners = [DVec2::ZERO; MOST_CORNERS];
         corners[..4].copy_from_slice(&[-p, q, p, -q]);
-        Self { corners, count: 4 }
+        Self {
+            corners,
+            count: 4,
+            is_whole: true,
+        }
     }
 
     /// Corners counter-clockwise.
     pub(crate) fn triangle(points: [DVec2; 3]) -> Self {
         let mut corners = [DVec2::ZERO; MOST_CORNERS];
         corners[..3].copy_from_slice(&points);
-        Self { corners, count: 3 }
+        Self {
+            corners,
+            count: 3,
+            is_whole: false,
+        }
     }
 
     pub(crate) fn corners(&self) -> &[DVec2] {
-        &self.corners[..self.count]
+        &self.corners[..self.count as usize]
     }
 
     /// The corners in pairs, once around.
@@ -72,11 +103,23 @@ impl Region {
 
     /// Whether it has room for the corners that so many cuts may add.
     pub(crate) fn has_room(&self, cuts: usize) -> bool {
-        self.count + cuts <= MOST_CORNERS
+        self.count as usize + cuts <= MOST_CORNERS
     }
 
     /// From where to where it reaches from a point in a direction.
+    #[inline(always)]
     pub(crate) fn extent(&self, origin: DVec2, direction: DVec2) -> [f64; 2] {
+        match self.half_diagonals() {
+            Some(halves) => {
+                let [a, b] = halves.map(|half| half.dot(direction).abs());
+                let (middle, reach) = (-origin.dot(direction), if a > b { a } else { b });
+                [middle - reach, middle + reach]
+            }
+            None => self.extent_of_corners(origin, direction),
+        }
+    }
+
+    fn extent_of_corners(&self, origin: DVec2, direction: DVec2) -> [f64; 2] {
         let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
         for at in self
             .corners()
@@ -94,22 +137,16 @@ impl Region {
         0.5 * self.edges().map(|(a, b)| a.perp_dot(b)).sum::<f64>()
     }
 
-    /// Two edges of a parallelogram.
-    fn edges_of_parallelogram(&self) -> [DVec2; 2] {
-        let [a, b, c] = [self.corners[0], self.corners[1], self.corners[2]];
-        [b - a, c - b]
-    }
-
-    /// The smaller height of a parallelogram.
+    /// The smaller height of a parallelogram around the origin.
     pub(crate) fn thickness(&self) -> f64 {
-        let [p, q] = self.edges_of_parallelogram();
-        p.perp_dot(q).abs() / p.length_squared().max(q.length_squared()).sqrt()
+        let [a, b] = [self.corners[0], self.corners[1]];
+        let longest = (a + b).length_squared().max((a - b).length_squared());
+        self.area_of_parallelogram() / longest.sqrt()
     }
 
-    /// The area of a parallelogram.
+    /// The area of a parallelogram around the origin.
     pub(crate) fn area_of_parallelogram(&self) -> f64 {
-        let [p, q] = self.edges_of_parallelogram();
-        p.perp_dot(q).abs()
+        2.0 * self.corners[0].perp_dot(self.corners[1]).abs()
     }
 
     /// How far a parallelogram around the origin reaches from there along the axes.
@@ -141,8 +178,8 @@ impl Region {
         if least >= 0.0 && most.is_finite() {
             return true;
         }
-        let (whole, count) = (self.corners, self.count);
-        self.count = 0;
+        let (whole, count) = (self.corners, self.count as usize);
+        (self.count, self.is_whole) = (0, false);
         if most <= 0.0 || !most.is_finite() {
             return false;
         }
@@ -181,8 +218,7 @@ impl Region {
     /// Half its diagonals, if it is a whole parallelogram around the origin.
     #[inline(always)]
     pub(crate) fn half_diagonals(&self) -> Option<[DVec2; 2]> {
-        let [a, b, c, d] = [0, 1, 2, 3].map(|i| self.corners[i]);
-        (self.count == 4 && a == -c && b == -d).then_some([a, b])
+        self.is_whole.then_some([self.corners[0], self.corners[1]])
     }
 
     /// Whether [`Self::keep`] keeps all of a parallelogram around the origin.
@@ -196,7 +232,7 @@ impl Region {
         // Not where it is endless, nor where it is no number.
         lines.iter().all(|line| {
             let beyond = most_beyond(line);
-            beyond <= 0.0 && beyond > f64::NEG_INFINITY
+            beyond <= 0.0 && beyond >= -FARTHEST_MM
         })
     }
 
@@ -264,8 +300,8 @@ impl Region {
     }
 
     fn push(&mut self, corner: DVec2) {
-        if self.count < MOST_CORNERS {
-            self.corners[self.count] = corner;
+        if let Some(free) = self.corners.get_mut(self.count as usize) {
+            *free = corner;
             self.count += 1;
         }
     }

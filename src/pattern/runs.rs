@@ -1,21 +1,22 @@
 //! From pieces near a footprint to runs: stretches of scratch with one direction and one cross-section.
 
 mod nearest;
+mod only;
 mod part;
+mod sectors;
 
 use super::Pattern;
-use super::caps::{CapAt, LONGEST_BORDER, turned};
-use super::center_line::CenterLine;
+use super::caps::CapAt;
 use super::closest::{
     end_tangent, end_tangents, is_even_line, length_share, start_tangent, unit_or_x,
 };
 use super::hit::Hit;
 use super::pieces::{Curves, bounds, halves, line_control};
 use super::query::{Candidates, Reach};
-use super::region::Region;
 use crate::formation::End;
 use core::ops::ControlFlow;
 use glam::DVec2;
+use nearest::Near;
 use part::{Last, Mark, Part, Run};
 
 /// Within one run of a scratch, which has one cross-section in a footprint, its points move by no more than
@@ -135,48 +136,73 @@ struct Walk<'a, 'p, V> {
 }
 
 impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
+    #[inline(always)]
     fn part(&self, number: usize) -> Option<Part<'p>> {
-        let piece = self.curves.pieces.get(number)?;
+        let pieces = self.curves.pieces;
+        let piece = pieces.get(number)?;
         let (track, course) = self.pattern.strand(piece.scratch)?;
         let line = self.curves.line(number);
         let control = self.placed(number, line);
-        let [first, last] = self.pattern.pieces_of(piece.scratch);
-        let before = if number == first {
-            last
-        } else {
-            number.wrapping_sub(1)
-        };
-        let next = if number == last { first } else { number + 1 };
-        let follows = |number: usize| {
-            self.curves
-                .pieces
-                .get(number)
-                .is_some_and(|p| p.is_joined())
-        };
         let is_line = line.is_some() || is_even_line(&control);
-        let mut parting = match is_line {
-            true => [unit_or_x(control[3] - control[0]); 2],
+        let travel = unit_or_x(control[3] - control[0]);
+        let parting = match is_line {
+            true => [travel; 2],
             false => end_tangents(&control),
         };
-        if follows(number) {
-            let onwards = end_tangent(&self.control(before));
-            parting[0] = halving(onwards, parting[0]).unwrap_or(parting[0]);
-        }
-        if follows(next) {
-            let onwards = start_tangent(&self.control(next));
-            parting[1] = halving(parting[1], onwards).unwrap_or(parting[1]);
-        }
-        Some(Part {
+        let own = |number: usize| pieces.get(number).filter(|p| p.scratch == piece.scratch);
+        let (before, after) = (own(number.wrapping_sub(1)), own(number + 1));
+        // A closed path's last piece is followed by its first.
+        let goes_on = match (before, after) {
+            (_, Some(next)) => next.is_joined(),
+            (None, None) => piece.is_joined(),
+            (Some(_), None) => self.is_closed(piece.scratch),
+        };
+        let joins = [piece.is_joined(), goes_on];
+        let ends = [before.map_or(0.0, |before| before.end_at), piece.end_at];
+        let mut part = Part {
             number,
             scratch: piece.scratch,
             track,
             course,
             control,
             is_line,
-            ends: self.curves.at(number).map(|at| Mark::new(&course, at)),
+            travel,
+            ends: [
+                Mark::new(&course, ends[0].into()),
+                Mark::new(&course, ends[1].into()),
+            ],
             parting,
-            is_end: [number == first, number == last].map(|outermost| outermost && !follows(first)),
-        })
+            is_end: [before.is_none() && !joins[0], after.is_none() && !joins[1]],
+        };
+        if joins[0] || joins[1] {
+            part.parting = self.halved(&part, joins);
+        }
+        Some(part)
+    }
+
+    fn is_closed(&self, scratch: u32) -> bool {
+        let [first, _] = self.pattern.pieces_of(scratch);
+        self.curves.pieces.get(first).is_some_and(|p| p.is_joined())
+    }
+
+    /// Across what a part is parted from its neighbours where it joins them.
+    #[inline(never)]
+    fn halved(&self, part: &Part<'p>, joins: [bool; 2]) -> [DVec2; 2] {
+        let (number, [first, last]) = (part.number, self.pattern.pieces_of(part.scratch));
+        let [mut start, mut end] = part.parting;
+        if joins[0] {
+            let before = if number == first {
+                last
+            } else {
+                number.wrapping_sub(1)
+            };
+            start = halving(end_tangent(&self.control(before)), start).unwrap_or(start);
+        }
+        if joins[1] {
+            let next = if number == last { first } else { number + 1 };
+            end = halving(end, start_tangent(&self.control(next))).unwrap_or(end);
+        }
+        [start, end]
     }
 
     fn control(&self, number: usize) -> [DVec2; 4] {
@@ -192,11 +218,13 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         }
     }
 
+    #[inline(always)]
     fn is_straight(&self, a: DVec2, b: DVec2) -> bool {
         a.dot(b) >= self.pattern.run_cos * (a.length_squared() * b.length_squared()).sqrt()
     }
 
     /// Whether a part turns and changes so little that it has one frame and one cross-section.
+    #[inline(always)]
     fn is_one_run(&self, part: &Part<'p>) -> bool {
         let [a, b, c, d] = part.control;
         let is_straight = part.is_line
@@ -301,110 +329,44 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         ];
         let [[start, forwards], [end, onwards]] = parting;
         let lines = [[start, forwards], [end, -onwards]];
-        let (mut region, mut middle) = (self.reach.footprint, DVec2::ZERO);
-        let mut cut;
+        let (footprint, mut part, mut middle) = (self.reach.footprint, None, DVec2::ZERO);
         // Most runs go on beyond the footprint, whose middle is the origin.
-        if !region.is_parallelogram_within(&lines) {
-            cut = *region;
-            if !cut.keep(&lines) {
+        if !footprint.is_parallelogram_within(&lines) {
+            part = footprint.within(&lines);
+            let Some(cut) = &part else {
                 return;
-            }
-            (region, middle) = (&cut, cut.centroid());
+            };
+            middle = cut.centroid();
         }
         let near = self.nearest_on(run, middle);
         let place = first.course.value(near.at);
-        let (mut at, mut line) = (near.at, near.line());
-        let (mut place, mut profile) = (place, first.track.profile(place));
-        let is_even = run.is_even();
-        if !(is_even && run.is_straight()) {
-            (at, line, profile) = self.look(run, region, near, profile, is_even);
-            place = first.course.value(at);
-        }
-        self.tell(&Hit {
+        let mut hit = Hit {
             track: first.track,
             place,
-            profile,
-            ends_mm: profile.ends().map(f64::from),
+            profile: first.track.profile(place),
+            ends_mm: [0.0; 2],
             scratch: first.scratch,
-            at,
-            line,
+            at: near.at,
+            line: near.line(),
             parting,
-            region: *region,
-            visible: self.pattern.visible_share(first.number),
+            part,
+            piece: first.number,
             alone: 1.0,
-        });
-    }
-
-    /// The sectors of the cap at an end of a part, if that is a hard end of its scratch within reach.
-    #[inline(always)]
-    fn emit_cap(&mut self, part: &Part<'p>, end: End) {
-        let [low, high] = self.near;
-        let (i, point) = match end {
-            End::Start => (0, part.control[0]),
-            End::Stop => (1, part.control[3]),
         };
-        if part.is_end[i] && point.cmpge(low).all() && point.cmple(high).all() {
-            self.emit_near_cap(part, end);
+        let is_even = run.is_even();
+        if !(is_even && run.is_straight()) {
+            self.look_at(run, near, is_even, &mut hit);
         }
+        hit.ends_mm = hit.profile.ends().map(f64::from);
+        self.tell(&hit);
     }
 
+    /// The same of a run that bends or changes, in the middle of what the footprint holds of it.
     #[inline(never)]
-    fn emit_near_cap(&mut self, part: &Part<'p>, end: End) {
-        let (point, travel, outward) = match end {
-            End::Start => (part.control[0], part.parting[0], -part.parting[0]),
-            End::Stop => (part.control[3], part.parting[1], part.parting[1]),
-        };
-        let Some(cap) = self.pattern.cap_at(part.number, end) else {
-            return;
-        };
-        let alone = cap.alone(&part.track, self.thin_mm);
-        self.thin_caps |= alone < 1.0;
-        if alone == 0.0 {
-            return;
-        }
-        let footprint = self.reach.footprint;
-        let [_, most] = footprint.extent(point, outward);
-        if most <= 0.0 {
-            return;
-        }
-        let visible = self.pattern.visible_share(part.number);
-        // Where one sector ends the next one begins.
-        let mut last = (f32::NAN, DVec2::NAN);
-        let mut border = |angle_rad: f32| {
-            if last.0 != angle_rad {
-                last = (angle_rad, turned(travel, angle_rad));
-            }
-            last.1
-        };
-        for sector in cap.sectors() {
-            let wedge = sector.wedge;
-            let (from, axis) = (border(wedge.from_rad), turned(travel, wedge.axis_rad));
-            let to = border(wedge.to_rad);
-            let origin = point + sector.offset_mm * DVec2::new(travel.y, -travel.x);
-            // Out of reach nothing of it matters: most caps lie within the footprint, and nothing is to be cut.
-            let far = |border: DVec2| {
-                let widest = border.dot(axis).max(1.0 / LONGEST_BORDER);
-                origin + border * (self.reach.reach_mm / widest)
-            };
-            let mut region = Region::triangle([origin, far(from), far(to)]);
-            if !region.keep_within(footprint) {
-                continue;
-            }
-            let parting = [[origin, from.perp()], [origin, to.perp()]];
-            self.tell(&Hit {
-                track: part.track,
-                place: cap.place,
-                profile: sector.profile,
-                ends_mm: [0.0, sector.outer_mm()],
-                scratch: part.scratch,
-                at: cap.at,
-                line: CenterLine::even(origin, axis.perp()),
-                parting,
-                region,
-                visible,
-                alone,
-            });
-        }
+    fn look_at(&self, run: &Run<'_, 'p>, near: Near, is_even: bool, hit: &mut Hit<'p>) {
+        let region = *hit.region(self.reach.footprint);
+        (hit.at, hit.line, hit.profile) = self.look(run, &region, near, hit.profile, is_even);
+        hit.place = run.first.course.value(hit.at);
     }
 }
 

@@ -138,6 +138,7 @@ impl Tracks {
     }
 
     /// A track by its number.
+    #[inline(always)]
     pub(crate) fn get(&self, number: u32) -> Option<TrackRef<'_>> {
         let record = self.records.get(number as usize)?;
         // A damaged file may claim anything.
@@ -332,11 +333,20 @@ impl<'p> TrackRef<'p> {
     }
 
     /// The station before a place, and how far the place is on the way to the next.
+    #[inline(always)]
     pub(crate) fn locate(&self, at: f64) -> (usize, f32) {
+        match self.stations.len() {
+            1 => (0, 0.0),
+            _ => self.locate_among(at),
+        }
+    }
+
+    /// The same where there are several.
+    fn locate_among(&self, at: f64) -> (usize, f32) {
         let place = |i: usize| f64::from(self.stations[i].at);
         let final_one = self.stations.len() - 1;
         // Most ask for where scratches set in.
-        if final_one == 0 || at <= place(0) {
+        if at <= place(0) {
             return (0, 0.0);
         }
         let count = self.stations.len() as f64;
@@ -363,6 +373,7 @@ impl<'p> TrackRef<'p> {
     }
 
     /// The cross-section at a place.
+    #[inline(always)]
     pub(crate) fn profile(&self, at: f64) -> Profile<'p> {
         let (last, mix) = self.locate(at);
         Profile::between(
@@ -374,6 +385,7 @@ impl<'p> TrackRef<'p> {
     }
 
     /// Shapes from a station on, one after the other.
+    #[inline(always)]
     pub(super) fn shapes_from(&self, station: usize) -> &'p [Vec2] {
         self.vertices
             .get(station * self.vertex_count()..)

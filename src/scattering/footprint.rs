@@ -99,18 +99,21 @@ impl Densities {
         Some(self.weight_from(first))
     }
 
-    /// The same of what is left of them, strip by strip across the scratch. What found no room takes none.
+    /// The same of what is left of them, strip by strip across the scratch, or of all. What found no room takes none.
     pub(crate) fn add_left(
         &mut self,
         regions: &[Region],
-        left: &Left,
+        left: Option<&Left>,
         line: &CenterLine,
         pixel_area: f64,
     ) -> Option<Weight> {
         let first = self.used;
         let weight = self
             .add_regions(regions, line, pixel_area)
-            .and_then(|weight| self.leave(weight, left));
+            .and_then(|weight| match left {
+                Some(left) => self.leave(weight, left),
+                None => Some(weight),
+            });
         if weight.is_none() {
             self.used = first;
         }
@@ -140,10 +143,7 @@ impl Densities {
                 from = to;
             }
         }
-        Some(Weight {
-            count: self.used - weight.first,
-            ..weight
-        })
+        Some(self.weight_from(weight.first))
     }
 
     /// A parallelogram around the origin with these half diagonals: as high all along its middle, and falling on both sides.
@@ -155,14 +155,13 @@ impl Densities {
         let area = 2.0 * halves[0].perp_dot(halves[1]).abs();
         let density = area * per_area / (inner + outer);
         let places = [-outer, -inner, inner, outer].map(|off| middle + off);
-        for (i, [left, right]) in [[0.0, density], [density; 2], [density, 0.0]]
-            .into_iter()
-            .enumerate()
-        {
-            if places[i + 1] > places[i] {
-                let mean = 0.5 * (left + right);
-                self.push([places[i], places[i + 1]], mean, right - left)?;
-            }
+        let slope = 0.5 * density * (outer - inner);
+        if outer > inner {
+            self.push_weight([places[0], places[1]], slope, 1.0)?;
+        }
+        self.push_weight([places[1], places[2]], 2.0 * density * inner, 0.0)?;
+        if outer > inner {
+            self.push_weight([places[2], places[3]], slope, -1.0)?;
         }
         Some(())
     }
@@ -263,13 +262,19 @@ impl Densities {
 
     /// A piece with this mean density, which rises by so much on the way.
     fn push(&mut self, [from, to]: [f64; 2], mean: f64, rise: f64) -> Option<()> {
-        if mean > 0.0 {
-            let weight = mean * (to - from);
+        let skew = (0.5 * rise / mean).clamp(-1.0, 1.0);
+        self.push_weight([from, to], mean * (to - from), skew)
+    }
+
+    /// A piece of this weight and skew, if it weighs anything.
+    #[inline(always)]
+    fn push_weight(&mut self, [from, to]: [f64; 2], weight: f64, skew: f64) -> Option<()> {
+        if weight > 0.0 {
             *self.pieces.get_mut(self.used as usize)? = Piece {
                 from: single(from),
                 to: single(to),
                 weight: single(weight),
-                skew: single((0.5 * rise / mean).clamp(-1.0, 1.0)),
+                skew: single(skew),
             };
             self.used += 1;
         }
@@ -336,9 +341,11 @@ impl Densities {
     }
 
     /// Whether any of `from..to` weighs anything.
+    #[inline(always)]
     pub(crate) fn touches(&self, weight: &Weight, [from, to]: [f32; 2]) -> bool {
-        let [first, last] = self.support(weight);
-        weight.count > 0 && from <= last && to >= first
+        let meets = |[first, last]: [f32; 2]| from <= last && to >= first;
+        // Mostly that is where it weighs anything, and never more.
+        weight.count > 0 && (meets(weight.window) || meets(self.support(weight)))
     }
 }
 

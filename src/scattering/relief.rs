@@ -8,7 +8,7 @@ use super::visibility::{Across, horizon, part};
 use super::walk::Ground;
 use crate::brdf::{Finish, Pair};
 use crate::lanes::{Lanes, Number, One, Vector};
-use crate::pattern::{Hit, Layered, MOST_VERTICES, Pattern};
+use crate::pattern::Pattern;
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
 use glam::{Vec2, Vec3};
@@ -100,19 +100,20 @@ impl Zones {
         }
     }
 
-    /// Forgets all but the surface's finish.
+    /// Forgets all; the flat surface has this finish, of number 0.
     #[inline(always)]
-    pub(crate) fn clear(&mut self) {
+    pub(crate) fn begin(&mut self, surface: &Finish) {
+        self.finishes[0] = *surface;
         self.used = 0;
         self.finish_count = 1;
-        self.hosted_count = self.finishes[0].hosted().is_some().into();
+        self.hosted_count = surface.hosted().is_some().into();
         self.densities.clear();
     }
 
-    /// The finish of the flat surface, which has number 0; until [`Self::clear`] its kind does not count.
-    #[inline(always)]
-    pub(crate) fn set_surface(&mut self, finish: &Finish) {
-        self.finishes[0] = *finish;
+    /// Forgets all but the surface's finish.
+    pub(crate) fn clear(&mut self) {
+        let surface = self.finishes[0];
+        self.begin(&surface);
     }
 
     /// The number of a finish among those that this point holds.
@@ -133,38 +134,7 @@ impl Zones {
         self.used as usize + vertices <= MOST_SLOTS
     }
 
-    /// Puts a run's cross-section into the free slots, its facets with the finishes of these numbers, by layer; how many
-    /// vertices it has.
-    pub(crate) fn place(&mut self, hit: &Hit<'_>, numbers: &[u8]) -> usize {
-        let vertices = hit.profile.vertex_count;
-        let first = self.used as usize;
-        let own = first..first + vertices;
-        let (xs, zs) = (&mut self.x[own.clone()], &mut self.z[own.clone()]);
-        hit.profile.sample(xs, zs);
-        // Mostly that is all.
-        if hit.track.layers().is_empty() && !Layered::has_doubles(xs, zs) {
-            self.finish[own].fill(numbers[0]);
-            return vertices;
-        }
-        let (mut whole_x, mut whole_z) = ([0.0; MOST_VERTICES], [0.0; MOST_VERTICES]);
-        let (whole_x, whole_z) = (&mut whole_x[..vertices], &mut whole_z[..vertices]);
-        whole_x.copy_from_slice(xs);
-        whole_z.copy_from_slice(zs);
-        let free = first..MOST_SLOTS;
-        let slots = Layered {
-            x: &mut self.x[free.clone()],
-            z: &mut self.z[free.clone()],
-            layer: &mut self.finish[free.clone()],
-        };
-        let layers = hit.track.layers().iter();
-        let count = slots.cut(whole_x, whole_z, layers.map(|layer| layer.bottom_mm));
-        for finish in &mut self.finish[free][..count] {
-            *finish = numbers[*finish as usize];
-        }
-        count
-    }
-
-    /// The same with a cross-section of its own, and with the number of each facet's finish.
+    /// Puts a cross-section of its own into the free slots, with the number of each facet's finish; how many vertices it has.
     pub(crate) fn place_points(&mut self, points: &[[f32; 2]], numbers: &[u8]) -> usize {
         for (slot, (&[x, z], &number)) in (self.used as usize..).zip(points.iter().zip(numbers)) {
             (self.x[slot], self.z[slot], self.finish[slot]) = (x, z, number);

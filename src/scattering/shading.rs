@@ -8,7 +8,7 @@ use crate::brdf::Finish;
 use crate::error::{Error, Result, all_finite};
 use crate::pattern::{Candidates, Frame, Metric, Pattern, Reach, Region, SurfacePoint};
 use crate::unit;
-use glam::Vec3;
+use glam::{DVec2, Vec3};
 
 /// The shift of relief against the plane at a grazing view is followed to this many times its height.
 const LONGEST_PARALLAX: f32 = 20.0;
@@ -63,36 +63,33 @@ impl Shading {
     /// a footprint of no usable size (0, infinite, NaN) is a point. Allocates nothing.
     #[inline(always)]
     pub fn shade(&mut self, pattern: &Pattern, point: &SurfacePoint, view: [f32; 3]) -> Result<()> {
-        let own;
-        let surface = match pattern.surface.hosted() {
-            None => &pattern.surface,
-            Some(_) => {
-                own = pattern.hosts.found(&pattern.surface);
-                &own
-            }
-        };
-        self.begin(surface, view)?;
-        let reach_mm = self.reach_mm(pattern);
-        let mut candidates = Candidates::new();
-        let glance = point.box_at_a_glance(pattern.mm_per_scene_unit, reach_mm);
-        let found = glance.map(|[low, high]| pattern.pieces_near(low, high, &mut candidates));
-        if found == Some(true) && candidates.is_empty() {
-            return Ok(());
+        match pattern.surface.hosted() {
+            None => self.begin(&pattern.surface, view)?,
+            Some(_) => self.begin_hosted(pattern, view)?,
         }
-        // By value: most points end above, and a point is only written down to be looked at by its address.
-        self.look_closely(pattern, *point, reach_mm, found, &mut candidates)
+        let reach_mm = self.reach_mm(pattern);
+        // By value: most points end here, and a point is only written down to be looked at by its address.
+        match point.box_at_a_glance(pattern.mm_per_scene_unit, reach_mm) {
+            None => self.look_closely(pattern, *point, reach_mm, None),
+            Some([low, high]) if !pattern.touches(low, high) => Ok(()),
+            Some(near) => self.look_closely(pattern, *point, reach_mm, Some(near)),
+        }
     }
 
-    /// Adds what lies within reach: of these candidates, if they were looked for (and `found` to be few enough).
+    /// Adds what lies within reach, which is all in this box, if that could be told.
     #[inline(never)]
     fn look_closely(
         &mut self,
         pattern: &Pattern,
         point: SurfacePoint,
         reach_mm: f64,
-        found: Option<bool>,
-        candidates: &mut Candidates,
+        glance: Option<[DVec2; 2]>,
     ) -> Result<()> {
+        let mut candidates = Candidates::new();
+        let found = glance.map(|[low, high]| pattern.pieces_near(low, high, &mut candidates));
+        if found == Some(true) && candidates.is_empty() {
+            return Ok(());
+        }
         let scale = pattern.mm_per_scene_unit;
         let frame = Frame::of(point.normal, point.dp_du)?;
         let metric = Metric::at(&point, &frame, scale)?;
@@ -100,8 +97,8 @@ impl Shading {
         let region = Region::parallelogram(a, b);
         if self.view.z >= LEAST_COS {
             let reach = Reach::new(&metric, &region, reach_mm);
-            let complete = found.unwrap_or_else(|| pattern.candidates(&reach, candidates));
-            self.fill(pattern, &reach, complete.then_some(candidates));
+            let complete = found.unwrap_or_else(|| pattern.candidates(&reach, &mut candidates));
+            self.fill(pattern, &reach, complete.then_some(&mut candidates));
         }
         footprint
     }
@@ -124,8 +121,8 @@ impl Shading {
 
     #[inline(always)]
     pub(super) fn begin(&mut self, surface: &Finish, view: [f32; 3]) -> Result<()> {
-        self.zones.set_surface(surface);
-        self.clear();
+        self.zones.begin(surface);
+        self.forget();
         let Some(unit) = direction(view) else {
             self.view = Vec3::ZERO;
             return Err(no_view(view));
@@ -134,8 +131,19 @@ impl Shading {
         Ok(())
     }
 
-    #[inline(always)]
+    #[inline(never)]
+    fn begin_hosted(&mut self, pattern: &Pattern, view: [f32; 3]) -> Result<()> {
+        self.begin(&pattern.hosts.found(&pattern.surface), view)
+    }
+
     fn clear(&mut self) {
+        self.zones.clear();
+        self.forget();
+    }
+
+    /// Forgets all but its zones.
+    #[inline(always)]
+    fn forget(&mut self) {
         self.coverage = 0.0;
         self.scratch_count = 0;
         self.relief_count = 0;
@@ -143,7 +151,6 @@ impl Shading {
         self.seen = 1.0;
         self.crowding = 1.0;
         self.flocks.clear();
-        self.zones.clear();
     }
 
     /// How far from the footprint a scratch can matter: by its width, by parallax, by its shadow.

@@ -5,7 +5,7 @@
 //! that w comes from, a facet is seen up to where its key passes the horizon so far. Agrees with the
 //! paper's GS (GL + GR - 1) of section 4.2 for all facets at once.
 
-use crate::lanes::{Lanes, Number, first_below_any};
+use crate::lanes::{First, Lanes, Number};
 
 /// A direction as a cross-section sees it.
 #[derive(Clone, Copy, Debug)]
@@ -23,14 +23,15 @@ impl Across {
         Self { x: w.x, z: w.z }
     }
 
-    fn key(self, x: f32, z: f32) -> f32 {
+    #[inline(always)]
+    pub(super) fn key<F: Number>(self, x: F, z: F) -> F {
         x * self.z - z * self.x
     }
 
     /// The same of vertices side by side.
     #[inline(always)]
     fn keys<L: Lanes>(self, lanes: L, xs: &[f32], zs: &[f32]) -> L::F {
-        lanes.load(xs) * self.z - lanes.load(zs) * self.x
+        self.key(lanes.load(xs), lanes.load(zs))
     }
 
     /// What of the flat surface at z = 0 lies in front of every vertex: (left of this, right of that).
@@ -95,8 +96,6 @@ impl Parts {
         }
     }
 
-    /// From the right end or the left one. Each facet is seen against the horizon of all vertices between it and the side
-    /// which the direction comes from, its own end there among them.
     #[inline(always)]
     fn sweep_from<L: Lanes, const LEFTWARDS: bool>(
         &mut self,
@@ -106,59 +105,89 @@ impl Parts {
         facets: usize,
         w: Across,
     ) -> f32 {
-        let (left, right) = (lanes.all(0.0), lanes.all(1.0));
-        let (open, hidden, far) = match LEFTWARDS {
-            true => (f32::INFINITY, left, 0),
-            false => (f32::NEG_INFINITY, right, facets),
-        };
-        let mut horizon = open;
+        let mut sweep = Sweep::<LEFTWARDS>::new();
         let groups = facets.div_ceil(L::WIDTH);
         for group in 0..groups {
-            let group = if LEFTWARDS { groups - 1 - group } else { group };
-            let k = group * L::WIDTH;
+            let k = Sweep::<LEFTWARDS>::turn(group, groups) * L::WIDTH;
             let (xs, zs) = (&xs[k..=k + L::WIDTH], &zs[k..=k + L::WIDTH]);
-            let key = w.keys(lanes, xs, zs);
-            let next = w.keys(lanes, &xs[1..], &zs[1..]);
-            let near = if LEFTWARDS { next } else { key };
-            let near = match LEFTWARDS {
-                true => -first_below_any(lanes, facets - k, -near),
-                false => first_below_any(lanes, facets - k, near),
-            };
-            let horizons = match LEFTWARDS {
-                true => lanes.least_from(near).min(lanes.all(horizon)),
-                false => lanes.most_up_to(near).max(lanes.all(horizon)),
-            };
-            horizon = horizons.lane(if LEFTWARDS { 0 } else { L::WIDTH - 1 });
-            let rise = next - key;
-            let share = (horizons - key) / rise;
-            let end = rise.if_above(left, share.max(left).min(right), hidden);
+            let keys = [w.keys(lanes, xs, zs), w.keys(lanes, &xs[1..], &zs[1..])];
+            let end = sweep.ends(lanes, keys, First::of(lanes, facets - k));
             lanes.store(end, &mut self.ends[k..]);
         }
-        let last = w.key(xs[far], zs[far]);
-        match LEFTWARDS {
-            true => Number::min(horizon, last),
-            false => Number::max(horizon, last),
-        }
+        let far = if LEFTWARDS { 0 } else { facets };
+        sweep.horizon_with(w.key(xs[far], zs[far]))
     }
 
     /// From where to where facets are unblocked, from number `k` on.
     #[inline(always)]
     pub(crate) fn load<L: Lanes>(&self, lanes: L, k: usize) -> [L::F; 2] {
-        part(self.ends_from(lanes, k), self.leftwards)
+        part(lanes.load(&self.ends[k..]), self.leftwards)
     }
 
     pub(crate) fn of(&self, facet: usize) -> Part {
         part(self.end(facet), self.leftwards)
     }
 
-    /// The one end of each facet's part that is not its facet's, from number `k` on.
-    #[inline(always)]
-    pub(super) fn ends_from<L: Lanes>(&self, lanes: L, k: usize) -> L::F {
-        lanes.load(&self.ends[k..])
-    }
-
     fn end(&self, facet: usize) -> f32 {
         self.ends[facet]
+    }
+}
+
+/// A pass over the facets of a cross-section from the right end or the left one, as many at a time as there are lanes. Each is
+/// seen against the horizon of all vertices between it and the side which the direction comes from, its own end there among
+/// them.
+pub(super) struct Sweep<const LEFTWARDS: bool> {
+    horizon: f32,
+}
+
+impl<const LEFTWARDS: bool> Sweep<LEFTWARDS> {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self {
+            horizon: match LEFTWARDS {
+                true => f32::INFINITY,
+                false => f32::NEG_INFINITY,
+            },
+        }
+    }
+
+    /// Which of so many comes next.
+    #[inline(always)]
+    pub(super) fn turn(number: usize, count: usize) -> usize {
+        match LEFTWARDS {
+            true => count - 1 - number,
+            false => number,
+        }
+    }
+
+    /// The one end of the next facets' parts that is not the facets', by the keys of their left and right ends.
+    #[inline(always)]
+    pub(super) fn ends<L: Lanes>(
+        &mut self,
+        lanes: L,
+        [key, next]: [L::F; 2],
+        own: First<L::F>,
+    ) -> L::F {
+        let (left, right) = (lanes.all(0.0), lanes.all(1.0));
+        let before = lanes.all(self.horizon);
+        let horizons = match LEFTWARDS {
+            true => lanes.least_from(own.above_any(next)).min(before),
+            false => lanes.most_up_to(own.below_any(key)).max(before),
+        };
+        self.horizon = horizons.lane(if LEFTWARDS { 0 } else { L::WIDTH - 1 });
+        let rise = next - key;
+        let share = (horizons - key) / rise;
+        let hidden = if LEFTWARDS { left } else { right };
+        rise.if_above(left, share.max(left).min(right), hidden)
+    }
+
+    /// The last horizon, that of a vertex beyond all facets too.
+    #[inline(always)]
+    pub(super) fn horizon_with(&self, last: f32) -> f32 {
+        match LEFTWARDS {
+            true => Number::min(self.horizon, last),
+            false => Number::max(self.horizon, last),
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Mark, Run, Walk};
 use crate::pattern::center_line::CenterLine;
-use crate::pattern::closest::{length_share, nearest, nearest_on_line};
+use crate::pattern::closest::{foot_on_line, length_share, nearest};
 use crate::pattern::hit::Hit;
 use crate::pattern::profile::Profile;
 use crate::pattern::region::Region;
@@ -109,19 +109,26 @@ impl<'p, V: FnMut(&Hit<'p>) -> ControlFlow<()>> Walk<'_, 'p, V> {
         (at, line.tapering(taper, [left, right], region))
     }
 
+    #[inline(always)]
     pub(super) fn nearest_on(&self, run: &Run<'_, 'p>, target: DVec2) -> Near {
         let first = run.first;
-        if first.is_line && first.number == run.last.number {
-            let [a, _, _, d] = first.control;
-            let (t, origin, travel) = nearest_on_line(a, d, target);
-            let [from, to] = run.at();
-            return Near {
-                distance: origin.distance_squared(target),
-                at: from + (to - from) * t,
-                origin,
-                travel,
-            };
+        if !(first.is_line && first.number == run.last.number) {
+            return self.nearest_on_curves(run, target);
         }
+        let [a, _, _, d] = first.control;
+        let (t, origin) = foot_on_line(a, d, target);
+        let [from, to] = run.at();
+        Near {
+            distance: origin.distance_squared(target),
+            at: from + (to - from) * t,
+            origin,
+            travel: first.travel,
+        }
+    }
+
+    #[inline(never)]
+    fn nearest_on_curves(&self, run: &Run<'_, 'p>, target: DVec2) -> Near {
+        let first = run.first;
         let on = |control: &[DVec2; 4], [from, to]: [f64; 2]| {
             let (t, origin, travel) = nearest(control, target);
             Near {

@@ -15,6 +15,7 @@ pub(super) struct Mark {
 }
 
 impl Mark {
+    #[inline(always)]
     pub(super) fn new(course: &Course<'_>, at: f64) -> Self {
         let (value, next_knot) = course.value_and_next(at);
         Self {
@@ -35,6 +36,8 @@ pub(super) struct Part<'p> {
     pub control: [DVec2; 4],
     /// Whether that is a straight line, run through evenly.
     pub is_line: bool,
+    /// Of such a line, the unit tangent.
+    pub travel: DVec2,
     pub ends: [Mark; 2],
     /// Unit tangents across which it is parted from its neighbours: its own at a smooth joint, the mean
     /// of both at a corner.

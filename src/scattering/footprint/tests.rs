@@ -103,7 +103,7 @@ fn strips_weigh_what_is_left() {
         let line = CenterLine::even(DVec2::new(0.01, 0.02), travel);
         let mut densities = Densities::EMPTY;
         let mut add = |left: &Left| {
-            let weight = densities.add_left(&[pixel], left, &line, pixel.area());
+            let weight = densities.add_left(&[pixel], Some(left), &line, pixel.area());
             weight.unwrap()
         };
         let [whole, cut] = [Left::even(1.0), left].map(|left| add(&left));

@@ -49,13 +49,26 @@ impl Shading {
         candidates: Option<&mut Candidates>,
     ) {
         match candidates {
+            Some(few) if few.len() == 1 && self.add_only(pattern, few[0], reach) => {}
             Some(few)
                 if few.len() <= FEW_HITS
                     && self.add_each::<FEW_HITS>(pattern, few, reach, FEW_HITS) => {}
             Some(many) => self.add_many(pattern, many, reach),
-            None => self.add_as_crowd(pattern, &pattern.crowd(reach), reach),
+            None => self.add_wide_crowd(pattern, reach),
         }
         self.share_out();
+    }
+
+    /// Adds a single piece, if it is one run and no more, as most are: then nothing cuts it, and it need not be kept.
+    #[inline(never)]
+    fn add_only(&mut self, pattern: &Pattern, piece: u32, reach: &Reach<'_>) -> bool {
+        let Some(hit) = pattern.only_run(piece as usize, reach) else {
+            return false;
+        };
+        let parts = slice::from_ref(hit.region(reach.footprint));
+        let added = self.add(pattern, &hit, parts, None, 1.0, reach.area_mm2);
+        self.scratch_count = u32::from(added.is_some() && !hit.is_beside(reach.footprint));
+        added.is_some()
     }
 
     /// Adds more pieces than a few: as a crowd, unless they turn out to be of few scratches. Those that only shade the
@@ -89,6 +102,11 @@ impl Shading {
         crowd.is_some()
     }
 
+    #[inline(never)]
+    fn add_wide_crowd(&mut self, pattern: &Pattern, reach: &Reach<'_>) {
+        self.add_as_crowd(pattern, &pattern.crowd(reach), reach);
+    }
+
     fn add_as_crowd<const BY: usize>(
         &mut self,
         pattern: &Pattern,
@@ -120,7 +138,7 @@ impl Shading {
         };
         let mut last = None;
         let thin_caps = pattern.for_each_run(candidates, reach, thin_caps_mm, &mut |hit| {
-            let is_beside = hit.is_beside();
+            let is_beside = hit.is_beside(reach.footprint);
             beside += usize::from(is_beside);
             if !is_beside {
                 self.scratch_count += u32::from(last != Some(hit.scratch));
@@ -144,9 +162,9 @@ impl Shading {
         if thin_caps {
             pattern.add_thin_caps(&mut crowd, candidates, reach, thin_caps_mm);
         }
-        // Most pixels that hold any: there is nothing to be cut, and room.
+        // There is nothing to be cut, and room.
         let is_plain = || beside == 0 && crowd.is_none() && fit(pattern, &hits);
-        let apart = hits.len() < 2 || is_plain() && Crossing::are_apart(&hits);
+        let apart = hits.len() < 2 || is_plain() && Crossing::are_apart(&hits, reach.footprint);
         if !(apart && self.add_whole(pattern, &hits, reach)) {
             self.add_crossing::<MOST>(pattern, &hits, reach, &mut crowd);
         }
@@ -160,9 +178,8 @@ impl Shading {
         let count = self.scratch_count;
         let mut hits = hits.iter();
         let all = hits.all(|hit| {
-            let (parts, gain) = (slice::from_ref(&hit.region), single(hit.alone));
-            let added = self.add(pattern, hit, parts, &Left::even(1.0), gain, reach.area_mm2);
-            added.is_some()
+            let parts = slice::from_ref(hit.region(reach.footprint));
+            self.add_parts(pattern, hit, parts, None, single(hit.alone), reach)
         });
         if !all {
             self.clear();
@@ -180,10 +197,11 @@ impl Shading {
         reach: &Reach<'_>,
         crowd: &mut Option<NearCrowd>,
     ) {
+        let footprint = reach.footprint;
         let mut covers = Covers::<MOST>::new();
-        covers.add(hits);
-        let (crossing, mut cutting) = (covers.crossing(hits), Cutting::new());
-        let thin_mm = THIN * reach.footprint.thickness();
+        covers.add(hits, footprint);
+        let (crossing, mut cutting) = (covers.crossing(hits, footprint), Cutting::new());
+        let thin_mm = THIN * footprint.thickness();
         let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
         runs.extend(covers.areas.iter().copied().enumerate());
         runs.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -202,28 +220,28 @@ impl Shading {
             let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
             let gain = single(alone * hit.alone);
             let whole = reach.area_mm2;
-            let mut add = |parts: &[Region], left: &Left| {
-                let added = self.add(pattern, hit, parts, left, gain, whole);
-                added.is_some()
+            let mut add = |parts: &[Region], left: Option<&Left>| {
+                self.add_parts(pattern, hit, parts, left, gain, reach)
             };
             crossing.find_cutting(i, &mut cutting);
             // Most are not cut, and there is nothing to be measured of them.
             let is_whole = alone == 1.0 && cutting.is_empty() && crossing.covers_any(i);
-            if is_whole && add(slice::from_ref(&hit.region), &Left::even(1.0)) {
+            let all = slice::from_ref(hit.region(footprint));
+            if is_whole && add(all, None) {
                 continue;
             }
             let mut cut = || {
                 let mut parts = Parts::new();
-                parts.push(hit.region);
+                parts.push(*hit.region(footprint));
                 let are_few = cut_away(&mut parts, &cutting, whole) && parts.len() <= MOST_PARTS;
-                are_few && add(&parts, &Left::even(1.0))
+                are_few && add(&parts, None)
             };
             let is_cut = alone > 0.0 && right - left > thin_mm && cut();
             if is_cut && alone == 1.0 {
                 continue;
             }
             let left = crossing.left(i, &cutting, whole);
-            let added = is_cut || (alone > 0.0 && add(slice::from_ref(&hit.region), &left));
+            let added = is_cut || (alone > 0.0 && add(all, Some(&left)));
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(NearCrowd::new);
@@ -233,14 +251,30 @@ impl Shading {
         }
     }
 
-    /// Adds what is left of a run, of these `parts` of a footprint of so many mm², thinned by `gain`; nothing if there is no
-    /// room.
+    /// The same as [`Self::add`], apart; whether there is room.
+    #[inline(never)]
+    fn add_parts(
+        &mut self,
+        pattern: &Pattern,
+        hit: &Hit<'_>,
+        parts: &[Region],
+        left: Option<&Left>,
+        gain: f32,
+        reach: &Reach<'_>,
+    ) -> bool {
+        let added = self.add(pattern, hit, parts, left, gain, reach.area_mm2);
+        added.is_some()
+    }
+
+    /// Adds what is `left` of a run (or all), of these `parts` of a footprint of so many mm², thinned by `gain`; nothing if
+    /// there is no room.
+    #[inline(always)]
     fn add(
         &mut self,
         pattern: &Pattern,
         hit: &Hit<'_>,
         parts: &[Region],
-        left: &Left,
+        left: Option<&Left>,
         gain: f32,
         area_mm2: f64,
     ) -> Option<()> {
@@ -249,13 +283,15 @@ impl Shading {
         }
         let densities = &mut self.zones.densities;
         let weight = densities.add_left(parts, left, &hit.line, area_mm2)?;
-        let mut numbers = [0; MOST_LAYERS + 1];
-        for (number, finish) in numbers.iter_mut().zip(hit.track.finishes()) {
-            *number = self.zones.finish(&pattern.hosts.found(&finish));
+        let mut number = |finish| self.zones.finish(&pattern.hosts.found(finish));
+        let (mut numbers, layers) = ([0; MOST_LAYERS + 1], hit.track.layers());
+        for (own, layer) in numbers.iter_mut().zip(layers) {
+            *own = number(&layer.finish);
         }
-        let vertices = self.zones.place(hit, &numbers);
-        let across = hit.line.across().as_vec2();
-        let prepared = self.zones.prepare(vertices, across, weight, self.view);
+        numbers[layers.len().min(MOST_LAYERS)] = number(hit.track.bulk());
+        let (profile, across) = (&hit.profile, hit.line.across().as_vec2());
+        let zones = &mut self.zones;
+        let prepared = zones.prepare_run(profile, layers, &numbers, across, weight, self.view);
         if let Some(mut relief) = prepared {
             relief.gain = gain;
             self.reliefs[self.relief_count as usize] = relief;
