@@ -65,7 +65,7 @@ impl Way {
         let borders: ArrayVec<Border, MOST_CORNERS> = edges.iter().flat_map(seen).collect();
         let mut lines = Stretches::even([0.0, 1.0]);
         let is_any = in_lanes!(lanes => lines.keep(lanes, &borders));
-        is_any.then(|| Self {
+        is_any.then_some(Self {
             start: a,
             end: b,
             along,
