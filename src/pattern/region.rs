@@ -232,7 +232,7 @@ impl Region {
         // Not where it is endless, nor where it is no number.
         lines.iter().all(|line| {
             let beyond = most_beyond(line);
-            beyond <= 0.0 && beyond >= -FARTHEST_MM
+            (-FARTHEST_MM..=0.0).contains(&beyond)
         })
     }
 
