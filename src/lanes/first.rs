@@ -14,7 +14,7 @@ pub(crate) fn first_below_any<L: Lanes>(lanes: L, count: usize, numbers: L::F) -
     up_to(lanes, count, numbers, const { &bounds(f32::NEG_INFINITY) })
 }
 
-/// Which of a register's numbers are looked at: the first so many.
+/// Which of a register's numbers are looked at: the first so many. The others may be anything, also no numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct First<F>(F);
 
@@ -28,13 +28,15 @@ impl<F: Number> First<F> {
     /// They, and what none is below in place of the others.
     #[inline(always)]
     pub(crate) fn below_any(self, numbers: F) -> F {
-        self.0.min(numbers)
+        let zero = numbers.like(0.0);
+        self.0.if_above(zero, numbers, self.0)
     }
 
     /// They, and what none is above in place of the others.
     #[inline(always)]
     pub(crate) fn above_any(self, numbers: F) -> F {
-        (-self.0).max(numbers)
+        let zero = numbers.like(0.0);
+        self.0.if_above(zero, numbers, -self.0)
     }
 }
 

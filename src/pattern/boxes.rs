@@ -47,7 +47,7 @@ pub(super) struct TurnedBox {
 
 /// Boxes of many runs.
 #[derive(Debug)]
-pub(crate) struct Boxes(ArrayVec<Eight, MOST_EIGHTS>);
+pub(super) struct Boxes(ArrayVec<Eight, MOST_EIGHTS>);
 
 /// How far one box reaches into each of others, in eights: not below 0 if they may meet.
 pub(super) type Depths = ArrayVec<[f32; EIGHT], MOST_EIGHTS>;
@@ -64,11 +64,11 @@ impl TurnedBox {
         let [low, high] = [0, 1].map(|end| DVec2::new(along[end], across[end]));
         let middle = 0.5 * (low + high);
         let middle = line.origin + line.travel * middle.x + line.across() * middle.y;
-        let slack = SLACK * middle.abs().max_element();
+        let slack = SLACK * (middle.abs().max_element() + (high - low).max_element());
         Self {
             middle,
             along: line.travel,
-            half_size: (0.5 + SLACK) * (high - low) + slack,
+            half_size: 0.5 * (high - low) + slack,
         }
     }
 

@@ -145,3 +145,39 @@ impl CenterLine {
         self.travel.dot(inward) + self.taper * (point - self.origin).dot(inward)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How much of the plane lies along lines is told alike in double precision and in single; nothing comes to lie farther
+    /// across than the widest place.
+    #[test]
+    fn tapering_lines_in_single_precision() {
+        let region = Region::parallelogram(2.0 * DVec2::X, 2.0 * DVec2::Y);
+        for taper in [0.0, 0.3, -0.8] {
+            let line = CenterLine::even(DVec2::ZERO, DVec2::from_angle(0.4));
+            let line = line.tapering(taper, [-0.1, 0.1], &region);
+            let along = region.extent(line.origin, line.travel);
+            let widest = line.widest([-0.2, 0.1], along);
+            for i in 0..=20 {
+                let at = -0.5 + 0.05 * f64::from(i);
+                let (exact, found) = (line.span([at, 0.6]), line.spans([single(at), 0.6]));
+                assert!(
+                    (exact - f64::from(found)).abs() < 1e-5,
+                    "{found}, not {exact}"
+                );
+                // Where its sides are, so far along.
+                for (side, widest) in line.sides([-0.2, 0.1]).iter().zip(widest) {
+                    let [point, inward] = *side;
+                    let place = line.origin + line.travel * at;
+                    let across = (point - place).dot(inward) / line.across().dot(inward);
+                    assert!(
+                        across.abs() <= widest.abs() + 1e-12,
+                        "{across}, not {widest}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -28,6 +28,7 @@ pub(crate) struct Covers<const MOST: usize> {
 impl<const MOST: usize> Covers<MOST> {
     /// Of none yet: in place, for room for many is not to be moved.
     pub(crate) const fn new() -> Self {
+        const { assert!(MOST <= MOST_BOXES, "room for as many boxes") }
         Self {
             regions: ArrayVec::new_const(),
             areas: ArrayVec::new_const(),
@@ -35,7 +36,7 @@ impl<const MOST: usize> Covers<MOST> {
         }
     }
 
-    /// Adds those of all runs, of which there is room for [`MOST_BOXES`].
+    /// Adds those of all runs.
     pub(crate) fn add(&mut self, hits: &[Hit<'_>], footprint: &Region) {
         let Self {
             regions,
@@ -94,26 +95,18 @@ impl<'c, 'p> Crossing<'c, 'p> {
         })
     }
 
-    /// Whether run `i` covers any of the footprint.
-    pub(crate) fn covers_any(&self, i: usize) -> bool {
-        self.covers[i].is_some()
-    }
-
-    /// Finds the later runs that may cut what run `i` covers, or what lies beside it.
+    /// Finds the later runs that may cut what run `i` covers, or what lies beside it: also of one that covers nothing.
     pub(crate) fn find_cutting(&self, i: usize, cutting: &mut Cutting<'c, 'p>) {
+        let run = &self.hits[i];
+        let region = run.region(self.footprint);
+        let along = region.extent(run.line.origin, run.line.travel);
+        let across = run.line.widest(beside(run), along);
+        let near = TurnedBox::between(&run.line, along, across);
+        let depths = self.boxes.depths(&near);
+        let later = self.hits.iter().zip(depths.as_flattened()).skip(i + 1);
+        let meet = later.filter(|(later, depth)| **depth >= 0.0 && !later.adjoins(run));
         cutting.clear();
-        if self.covers[i].is_some() {
-            let run = &self.hits[i];
-            let region = run.region(self.footprint);
-            let along = region.extent(run.line.origin, run.line.travel);
-            let across = run.line.widest(beside(run), along);
-            let depths = self
-                .boxes
-                .depths(&TurnedBox::between(&run.line, along, across));
-            let later = self.hits.iter().zip(depths.as_flattened()).skip(i + 1);
-            let meet = later.filter(|(later, depth)| **depth >= 0.0 && !later.adjoins(run));
-            cutting.extend(meet.map(|(later, _)| later));
-        }
+        cutting.extend(meet.map(|(later, _)| later));
     }
 
     /// What later ones leave of what run `i` covers. Of one that only shades the footprint, the share that they leave of all
@@ -176,4 +169,70 @@ fn cut_by(later: &Hit<'_>, left: &mut Parts, least_area: f64) -> bool {
         }
     }
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::Metal;
+    use crate::formation::{Material, Tool};
+    use crate::pattern::{
+        Candidates, Footprint, Frame, Metric, Path, PatternBuilder, Reach, Scratch, SurfacePoint,
+    };
+    use core::ops::ControlFlow;
+    use glam::DVec2;
+
+    /// A later scratch cuts an earlier one, not the other way round, be it in the footprint or beside it; one that keeps away
+    /// from it does not.
+    #[test]
+    fn later_runs_cut_what_lies_beside() {
+        let material = Material::metal(Metal::Steel);
+        let mut builder = PatternBuilder::new(material, 1.0, [1.0; 2]).unwrap();
+        let tool = Tool::rockwell_c();
+        // The first one runs beside the footprint, the second through it and across the first, the third far from that.
+        for line in [
+            [[-9.0, 0.1], [9.0, 0.1]],
+            [[0.0, -9.0], [0.0, 9.0]],
+            [[-9.0, -0.1], [9.0, -0.1]],
+        ] {
+            let path = Path::Polyline(&line);
+            let scratch = Scratch {
+                path,
+                ..Scratch::new(&tool)
+            };
+            builder.add(&scratch).unwrap();
+        }
+        let pattern = builder.build();
+        let point = SurfacePoint {
+            uv: [0.0; 2],
+            dp_du: [1.0, 0.0, 0.0],
+            dp_dv: [0.0, 1.0, 0.0],
+            normal: [0.0, 0.0, 1.0],
+            footprint: Footprint::Point,
+        };
+        let metric = Metric::at(&point, &Frame::at(&point).unwrap(), 1.0).unwrap();
+        let footprint = Region::parallelogram(0.05 * DVec2::X, 0.05 * DVec2::Y);
+        let reach = Reach::new(&metric, &footprint, 0.5);
+        let (mut candidates, mut hits) = (Candidates::new(), Vec::new());
+        assert!(pattern.candidates(&reach, &mut candidates), "too many");
+        pattern.for_each_run(&candidates, &reach, 0.0, &mut |hit| {
+            hits.push(*hit);
+            ControlFlow::Continue(())
+        });
+        assert_eq!(hits.len(), 3, "runs");
+        let mut covers = Covers::<8>::new();
+        covers.add(&hits, &footprint);
+        let crossing = covers.crossing(&hits, &footprint);
+        let covered = [0, 1, 2].map(|i| crossing.covers[i].is_some());
+        assert_eq!(covered, [false, true, false], "what covers any");
+        let cut_by = |i| {
+            let mut cutting = Cutting::new();
+            crossing.find_cutting(i, &mut cutting);
+            cutting
+                .iter()
+                .map(|later| later.scratch)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!([0, 1, 2].map(cut_by), [vec![1], vec![], vec![]]);
+    }
 }

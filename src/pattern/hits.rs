@@ -75,7 +75,6 @@ impl Pattern {
         let reach = Reach::new(&metric, &region, self.extent.half_width_mm.into());
         let mut candidates = Candidates::new();
         let complete = self.candidates(&reach, &mut candidates);
-        candidates.sort_unstable();
         let mut listing = Listing {
             pattern: self,
             reach: &reach,

@@ -100,7 +100,7 @@ impl Curves<'_> {
 }
 
 impl Pattern {
-    /// The pieces near a footprint; false if they are too many to be looked at one by one.
+    /// The pieces near a footprint, in their order; false if they are too many to be looked at one by one.
     pub(crate) fn candidates(&self, reach: &Reach<'_>, found: &mut Candidates) -> bool {
         let [low, high] = reach.box_uv();
         self.pieces_near(low, high, found)
@@ -189,6 +189,7 @@ impl Pattern {
             }
             ControlFlow::Continue(())
         });
+        found.sort_unstable();
         flow.is_continue()
     }
 }

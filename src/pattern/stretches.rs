@@ -1,6 +1,6 @@
 //! Lines side by side along something straight, and what straight borders leave of each.
 
-use super::strips::Strips;
+use super::strips::{STRIPS, Strips};
 use crate::lanes::{Lanes, Number};
 use crate::single;
 
@@ -9,6 +9,10 @@ pub(super) const OFF_MIDDLE: Strips = [-0.875, -0.625, -0.375, -0.125, 0.125, 0.
 
 /// Places further away are as good as this one, and numbers stay finite.
 const FAR: f64 = 1e30;
+
+/// What changes by less than this share on the way does not change. Of what is parallel, places are far away, but not yet all
+/// alike.
+const LEAST_AHEAD: f64 = 1e-20;
 
 /// From where to where something reaches along each line; nowhere if both are one.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +33,7 @@ pub(super) struct Border {
 
 impl Border {
     /// Borders on whose inner side the middle's start lies so far, so much farther from 1 to the right, and so much farther from
-    /// 1 ahead. All at once: each takes a division.
+    /// 1 ahead. Of several at once divisions take no longer than of one.
     #[inline(always)]
     pub(super) fn of<const COUNT: usize>(
         inside: &[f64; COUNT],
@@ -39,14 +43,15 @@ impl Border {
         let (mut places, mut steps) = ([0.0; COUNT], [0.0; COUNT]);
         for i in 0..COUNT {
             // Along a border, all of a line lies on one side.
-            let per_way = if ahead[i] == 0.0 { FAR } else { 1.0 / ahead[i] };
+            let is_parallel = ahead[i].abs() < LEAST_AHEAD;
+            let per_way = 1.0 / if is_parallel { LEAST_AHEAD } else { ahead[i] };
             places[i] = bounded(-inside[i] * per_way);
             steps[i] = bounded(-to_the_right[i] * per_way);
         }
         core::array::from_fn(|i| Self {
             place: places[i],
             step: steps[i],
-            enters: ahead[i] >= 0.0,
+            enters: ahead[i] > -LEAST_AHEAD,
         })
     }
 }
@@ -62,14 +67,30 @@ impl Stretches {
     /// The same of each line.
     pub(super) fn even([from, to]: [f32; 2]) -> Self {
         Self {
-            from: [from; 8],
-            to: [to; 8],
+            from: [from; STRIPS],
+            to: [to; STRIPS],
         }
     }
 
     /// All of lines without end.
     pub(super) fn endless() -> Self {
         Self::even([single(-FAR), single(FAR)])
+    }
+
+    /// From where to where any reaches; from there on they are told as shares of that.
+    pub(super) fn stretch_out(&mut self) -> [f32; 2] {
+        let (mut first, mut last) = (f32::INFINITY, f32::NEG_INFINITY);
+        for (from, to) in self.from.iter().zip(&self.to) {
+            if to > from {
+                first = if *from < first { *from } else { first };
+                last = if *to > last { *to } else { last };
+            }
+        }
+        let length = last - first;
+        for place in self.from.iter_mut().chain(&mut self.to) {
+            *place = (*place - first) / length;
+        }
+        [first, last]
     }
 
     /// As many as there are lanes, from one on.
@@ -91,12 +112,13 @@ impl Stretches {
     #[inline(always)]
     pub(super) fn keep<L: Lanes>(&mut self, lanes: L, borders: &[Border]) -> bool {
         let mut is_any = false;
-        for first in (0..OFF_MIDDLE.len()).step_by(L::WIDTH) {
+        for first in (0..STRIPS).step_by(L::WIDTH) {
             let off = lanes.load(&OFF_MIDDLE[first..]);
             let [mut from, end] = self.load(lanes, first);
             let mut to = end;
             for border in borders {
-                let place = off.times_plus(lanes.all(border.step), lanes.all(border.place));
+                // Rounded alike in a register and alone: what is nearly parallel hangs by a hair.
+                let place = off * border.step + border.place;
                 if border.enters {
                     from = from.max(place);
                 } else {
@@ -155,14 +177,20 @@ mod tests {
         assert!(some > 300, "only {some} lines have any");
     }
 
-    /// Along a border, a line is kept or not, whatever lies beyond.
+    /// Along a border, a line is kept or not, whatever lies beyond, near and far.
     #[test]
     fn lines_along_a_border() {
-        let mut kept = Stretches::endless();
-        // On the inner side from -1/4 to the right.
-        let borders = Border::of(&[0.25, 0.0, 1.0], &[1.0, 0.0, 0.0], &[0.0, 1.0, -1.0]);
-        assert!(in_lanes!(lanes => kept.keep(lanes, &borders)), "nothing");
-        let lengths: Vec<f32> = (0..8).map(|i| kept.to[i] - kept.from[i]).collect();
-        assert_eq!(lengths, [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0]);
+        for scale in [1e-6, 1.0, 10.0, 1e6] {
+            let mut kept = Stretches::endless();
+            // On the inner side from -1/4 to the right.
+            let borders = Border::of(
+                &[0.25 * scale, 0.0, 1.0],
+                &[scale, 0.0, 0.0],
+                &[0.0, 1.0, -1.0],
+            );
+            assert!(in_lanes!(lanes => kept.keep(lanes, &borders)), "nothing");
+            let lengths: Vec<f32> = (0..8).map(|i| kept.to[i] - kept.from[i]).collect();
+            assert_eq!(lengths, [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0]);
+        }
     }
 }

@@ -65,12 +65,13 @@ impl Way {
         let borders: ArrayVec<Border, MOST_CORNERS> = edges.iter().flat_map(seen).collect();
         let mut lines = Stretches::even([0.0, 1.0]);
         let is_any = in_lanes!(lanes => lines.keep(lanes, &borders));
+        let [first, last] = lines.stretch_out();
         is_any.then_some(Self {
             start: a,
             end: b,
             along,
             half_width_mm,
-            stretch: [from, to],
+            stretch: [first, last].map(|share| from + length * f64::from(share)),
             lines,
         })
     }

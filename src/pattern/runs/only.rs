@@ -70,6 +70,13 @@ mod tests {
             ..Scratch::new(&tool)
         };
         builder.add(&scratch).unwrap();
+        // A neighbour in memory, far away.
+        let far = [[5.0, 5.0], [5.0, 6.0]];
+        let neighbour = Scratch {
+            path: Path::Polyline(&far),
+            ..Scratch::new(&tool)
+        };
+        builder.add(&neighbour).unwrap();
         builder.build()
     }
 
@@ -114,7 +121,7 @@ mod tests {
                     hit.parting,
                     hit.line.origin,
                     hit.line.travel,
-                    hit.piece,
+                    (hit.piece, hit.scratch, hit.profile.vertex_count),
                 )
             });
             assert_eq!(ours, theirs, "{point:?}");

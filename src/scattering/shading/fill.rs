@@ -74,7 +74,6 @@ impl Shading {
     /// Adds more pieces than a few: as a crowd, unless they turn out to be of few scratches. Those that only shade the
     /// pixel are no part of a crowd.
     fn add_many(&mut self, pattern: &Pattern, candidates: &mut Candidates, reach: &Reach<'_>) {
-        candidates.sort_unstable();
         self.clear();
         let may_crowd = pattern.scratches_of(candidates) > MOST_ALONE;
         if may_crowd && self.add_as_near_crowd(pattern, candidates, reach, MOST_ALONE + 1) {
@@ -224,24 +223,25 @@ impl Shading {
                 self.add_parts(pattern, hit, parts, left, gain, reach)
             };
             crossing.find_cutting(i, &mut cutting);
-            // Most are not cut, and there is nothing to be measured of them.
-            let is_whole = alone == 1.0 && cutting.is_empty() && crossing.covers_any(i);
             let all = slice::from_ref(hit.region(footprint));
-            if is_whole && add(all, None) {
-                continue;
-            }
+            // Most are not cut, and there is nothing to be measured of them.
+            let is_whole = alone == 1.0 && cutting.is_empty() && crossing.covers[i].is_some();
             let mut cut = || {
                 let mut parts = Parts::new();
-                parts.push(*hit.region(footprint));
+                parts.push(all[0]);
                 let are_few = cut_away(&mut parts, &cutting, whole) && parts.len() <= MOST_PARTS;
                 are_few && add(&parts, None)
             };
-            let is_cut = alone > 0.0 && right - left > thin_mm && cut();
+            let is_cut = match is_whole {
+                true => add(all, None),
+                false => alone > 0.0 && right - left > thin_mm && cut(),
+            };
             if is_cut && alone == 1.0 {
                 continue;
             }
             let left = crossing.left(i, &cutting, whole);
-            let added = is_cut || (alone > 0.0 && add(all, Some(&left)));
+            let may_fit = alone > 0.0 && !is_whole;
+            let added = is_cut || (may_fit && add(all, Some(&left)));
             let rest = if added { 1.0 - alone } else { 1.0 };
             if rest > 0.0 && area > 0.0 {
                 let crowd = crowd.get_or_insert_with(NearCrowd::new);
