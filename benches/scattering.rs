@@ -5,10 +5,14 @@
 mod figures;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
+use rand::rngs::StdRng;
+use rand::{Rng, SeedableRng};
 use std::f32::consts::PI;
+use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::path::PathBuf;
 use std::process::Command;
+use std::sync::LazyLock;
 use std::time::Duration;
 use striae::brdf::Metal;
 use striae::formation::{Material, Tool};
@@ -18,11 +22,16 @@ use striae::scattering::{Output, Shading, Vectors, set_simd};
 /// The plate's side, mm.
 const SIDE_MM: f64 = 100.0;
 
+/// The side of a plate with scratches strewn all over, mm; half the width of a pixel there, and how long they are.
+const STREWN_MM: f32 = 20.0;
+const STREWN_RADIUS_MM: f32 = 0.42;
+const STREWN_LENGTHS_MM: core::ops::Range<f64> = 2.5..10.5;
+
 /// Lights and samples that are asked for at once.
 const MANY: u32 = 64;
 
 /// A call of each kind, and of how many things it disposes.
-const JOBS: [(&str, u32); 14] = [
+const JOBS: [(&str, u32); 17] = [
     ("ggx", 1),
     ("shade_empty", 1),
     ("shade_beside", 1),
@@ -31,6 +40,9 @@ const JOBS: [(&str, u32); 14] = [
     ("shade_curved", 1),
     ("shade_tapering", 1),
     ("shade_end", 1),
+    ("shade_few", 1),
+    ("shade_dozens", 1),
+    ("shade_crowd", 1),
     ("eval", 1),
     ("eval_four", 1),
     ("eval_pdf", 1),
@@ -154,6 +166,10 @@ struct Scene {
     four: Pattern,
     /// A curve that sets in, goes on evenly and runs out.
     curved: Pattern,
+    /// Scratches that cross: some 5, 30 and 70 to the pixel.
+    few: LazyLock<Pattern>,
+    dozens: LazyLock<Pattern>,
+    crowd: LazyLock<Pattern>,
     /// Packed, x then y then z.
     lights: [Vec<f32>; 3],
     numbers: [Vec<f32>; 3],
@@ -167,6 +183,9 @@ impl Scene {
             one: pattern(&[0.5]),
             four: pattern(&[0.5, 0.5003, 0.5006, 0.5009]),
             curved: curved(),
+            few: LazyLock::new(|| strewn(228)),
+            dozens: LazyLock::new(|| strewn(1480)),
+            crowd: LazyLock::new(|| strewn(3480)),
             lights,
             numbers,
         }
@@ -199,6 +218,9 @@ impl Scene {
             "shade_curved" => shade(shading, &self.curved, &on_curve(0.4), i),
             "shade_tapering" => shade(shading, &self.curved, &on_curve(0.1), i),
             "shade_end" => shade(shading, &self.one, &END, i),
+            "shade_few" => shade(shading, &self.few, &on_strewn(i), i),
+            "shade_dozens" => shade(shading, &self.dozens, &on_strewn(i), i),
+            "shade_crowd" => shade(shading, &self.crowd, &on_strewn(i), i),
             "eval" | "eval_four" => {
                 black_box(black_box(&*shading).eval(direction(i), Output::BrdfCos));
             }
@@ -275,6 +297,40 @@ fn curved() -> Pattern {
     };
     builder.add(&scratch).expect("valid");
     builder.build()
+}
+
+/// So many scratches anywhere and in every direction, with hard ends.
+fn strewn(count: u32) -> Pattern {
+    let (material, side_mm) = (Material::metal(Metal::Steel), f64::from(STREWN_MM));
+    let mut builder = PatternBuilder::new(material, 1.0, [side_mm; 2]).expect("valid");
+    let (tool, keys) = (Tool::vickers(), [Key::force(0.0, 0.25)]);
+    let mut rng = StdRng::seed_from_u64(1);
+    for _ in 0..count {
+        let (start, angle): ([f64; 2], f64) = (rng.random(), TAU * rng.random::<f64>());
+        let length = rng.random_range(STREWN_LENGTHS_MM) / side_mm;
+        let end = [
+            start[0] + length * angle.cos(),
+            start[1] + length * angle.sin(),
+        ];
+        let scratch = Scratch {
+            path: Path::Polyline(&[start, end]),
+            keys: &keys,
+            ..Scratch::new(&tool)
+        };
+        builder.add(&scratch).expect("valid");
+    }
+    builder.build()
+}
+
+/// A pixel well within such a plate.
+fn on_strewn(i: u32) -> SurfacePoint {
+    let [x, y, _] = direction(i);
+    SurfacePoint {
+        uv: [0.5 + 0.4 * f64::from(x), 0.5 + 0.4 * f64::from(y)],
+        dp_du: [STREWN_MM, 0.0, 0.0],
+        dp_dv: [0.0, STREWN_MM, 0.0],
+        ..point(0.0, STREWN_RADIUS_MM)
+    }
 }
 
 /// A point at parameter `t` of it.
