@@ -177,32 +177,38 @@ mod tests {
     use crate::brdf::Metal;
     use crate::formation::{Material, Tool};
     use crate::pattern::{
-        Candidates, Footprint, Frame, Metric, Path, PatternBuilder, Reach, Scratch, SurfacePoint,
+        Candidates, Footprint, Frame, Key, Metric, Path, Pattern, PatternBuilder, Reach, Scratch,
+        SurfacePoint,
     };
     use core::ops::ControlFlow;
     use glam::DVec2;
 
-    /// A later scratch cuts an earlier one, not the other way round, be it in the footprint or beside it; one that keeps away
-    /// from it does not.
-    #[test]
-    fn later_runs_cut_what_lies_beside() {
+    /// Straight scratches across the plate, 18 mm long.
+    fn pattern(lines: &[[[f64; 2]; 2]]) -> Pattern {
         let material = Material::metal(Metal::Steel);
         let mut builder = PatternBuilder::new(material, 1.0, [1.0; 2]).unwrap();
-        let tool = Tool::rockwell_c();
-        // The first one runs beside the footprint, the second through it and across the first, the third far from that.
-        for line in [
-            [[-9.0, 0.1], [9.0, 0.1]],
-            [[0.0, -9.0], [0.0, 9.0]],
-            [[-9.0, -0.1], [9.0, -0.1]],
-        ] {
-            let path = Path::Polyline(&line);
+        let (tool, keys) = (Tool::rockwell_c(), [Key::force(0.0, 1.0)]);
+        for line in lines {
             let scratch = Scratch {
-                path,
+                path: Path::Polyline(line),
+                keys: &keys,
                 ..Scratch::new(&tool)
             };
             builder.add(&scratch).unwrap();
         }
-        let pattern = builder.build();
+        builder.build()
+    }
+
+    /// A later scratch cuts an earlier one, not the other way round, be it in the footprint or beside it; one that covers
+    /// nothing of the footprint cuts none.
+    #[test]
+    fn later_runs_cut_what_lies_beside() {
+        let down = [[0.0, -9.0], [0.0, 9.0]];
+        let half_width = f64::from(pattern(&[down]).extent.half_width_mm);
+        // The first one runs beside the footprint, the second through it and across the others.
+        let level = |y: f64| [[-9.0, y], [9.0, y]];
+        let beside = 0.025 + 1.5 * half_width;
+        let pattern = pattern(&[level(beside), down, level(-beside)]);
         let point = SurfacePoint {
             uv: [0.0; 2],
             dp_du: [1.0, 0.0, 0.0],
@@ -212,7 +218,7 @@ mod tests {
         };
         let metric = Metric::at(&point, &Frame::at(&point).unwrap(), 1.0).unwrap();
         let footprint = Region::parallelogram(0.05 * DVec2::X, 0.05 * DVec2::Y);
-        let reach = Reach::new(&metric, &footprint, 0.5);
+        let reach = Reach::new(&metric, &footprint, 3.0 * half_width);
         let (mut candidates, mut hits) = (Candidates::new(), Vec::new());
         assert!(pattern.candidates(&reach, &mut candidates), "too many");
         pattern.for_each_run(&candidates, &reach, 0.0, &mut |hit| {

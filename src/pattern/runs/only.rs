@@ -74,7 +74,7 @@ mod tests {
         let far = [[5.0, 5.0], [5.0, 6.0]];
         let neighbour = Scratch {
             path: Path::Polyline(&far),
-            ..Scratch::new(&tool)
+            ..scratch
         };
         builder.add(&neighbour).unwrap();
         builder.build()
