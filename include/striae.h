@@ -19,6 +19,8 @@
  *     striae_shade_world(), _eval_world()        both with directions as the renderer has them: no frames to be turned into
  *     striae_sample()                            path tracers, per bounce: a light, its weight and density; for lights
  *     striae_eval_pdf(), _pdf_reverse()          chosen by others, BRDF times cosine and density, forwards and back
+ *     striae_near()                              whether there is anything to shade: elsewhere the renderer's own material
+ *                                                will do
  *     striae_shade_many(), _eval_many(), ...     the same for whole arrays, several times as fast where points have many
  *                                                lights
  *     striae_set_bounces()                       per shading point, if light is to go from wall to wall of a groove
@@ -2336,6 +2338,25 @@ enum StriaeStatus striae_eval_world(const struct StriaeShading *shading,
                                     const float light[3],
                                     uint32_t flags,
                                     float f[3]);
+
+/**
+ * Whether scratches may matter at a point: for renderers that shade the unscratched surface themselves, and then need not call
+ * striae_shade() where none is near. It takes a fraction of the time. Never allocates, locks or blocks; any number of threads
+ * at once.
+ *
+ * Where it says no, striae_shade() finds no scratch there, and the point reflects what the pattern's surface material
+ * does. Where it says yes there may be none all the same; so it does of most points that striae_shade() refuses.
+ *
+ * @param pattern the pattern
+ * @param point the point
+ * @param view direction to the viewer, away from the surface, in the renderer's frame (that of the point's normal), of any
+ *     length above 0. NULL asks for all views at once, as if it were a grazing one
+ * @param is_near receives 1 or 0
+ */
+enum StriaeStatus striae_near(const struct StriaePattern *pattern,
+                              const struct StriaePoint *point,
+                              const float view[3],
+                              uint32_t *is_near);
 
 /**
  * The scratches in a footprint, whoever looks: for masks, labels and what else a renderer writes beside light.

@@ -23,6 +23,7 @@ fn header_is_fresh() {
         "relief_mesh",
         "files",
         "shading",
+        "near",
         "hits",
         "sampling",
         "zones",

@@ -89,6 +89,14 @@ static void evaluate(const Plate *plate, const StriaeShading *shading, const Str
     striae_eval_many(shading, (size_t)plate->lamp_count, &light, (size_t)plate->lamp_count, 0, &out);
 }
 
+static bool is_near(const Method *method, const StriaePoint *point, Vec direction) {
+    float view[3];
+    uint32_t near_any = 1;
+    vec_to_floats(vec_scale(direction, -1.0), view);
+    striae_near(method->pattern, point, view, &near_any);
+    return near_any != 0;
+}
+
 /* Here the library and the earlier systems differ. What is refused reflects nothing, or as if there were no scratch. */
 static void prepare(const Method *method, const StriaePoint *point, Vec direction, StriaeFrame *frame,
                     StriaeShading *shading) {
@@ -109,6 +117,10 @@ static void shade_scratched(const Method *method, const Square *square, double r
     Vec direction;
     if (!look(plate, square, &direction, &surface)) return;
     const StriaePoint point = point_of(plate, square, &surface);
+    if (method->asks_near && !is_near(method, &point, direction)) {
+        add_lamps(plate, &surface, point.normal, direction, radiance);
+        return;
+    }
     StriaeFrame frame;
     StriaeShading shading;
     float f_cos[PLATE_MAX_LAMPS][3];
@@ -138,6 +150,12 @@ static void shade_geometry(const Method *method, const Square *square, double ra
 Method method_plain(const Plate *plate) { return (Method){.shade = shade_plain, .plate = plate}; }
 
 Method method_library(const Plate *plate) {
+    Method method = method_library_everywhere(plate);
+    method.asks_near = true;
+    return method;
+}
+
+Method method_library_everywhere(const Plate *plate) {
     return (Method){.shade = shade_scratched, .filters = true, .plate = plate, .pattern = plate->pattern};
 }
 

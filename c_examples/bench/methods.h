@@ -14,7 +14,8 @@ typedef struct Square {
 struct Method {
     /* What the square's middle, or all of it, shows; black beside the plate. */
     void (*shade)(const Method *method, const Square *square, double radiance[3]);
-    bool filters; /* it knows what a square shows, not only its middle */
+    bool filters;  /* it knows what a square shows, not only its middle */
+    bool asks_near; /* it shades what no scratch is near like the plain one */
     const Plate *plate;
     const StriaePattern *pattern;
     const StriaeBaseline *baseline;
@@ -23,7 +24,9 @@ struct Method {
 };
 
 Method method_plain(const Plate *plate);
+/* Where the library says that no scratch is near, the renderer's own base BRDF; or the library's at every point. */
 Method method_library(const Plate *plate);
+Method method_library_everywhere(const Plate *plate);
 Method method_baseline(const Plate *plate, const StriaeBaseline *baseline);
 Method method_geometry(const Plate *plate, const Relief *relief);
 Method method_normal_map(const Plate *plate, const NormalMap *map);

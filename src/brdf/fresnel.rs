@@ -45,11 +45,13 @@ impl Fresnel {
     #[inline(always)]
     pub(crate) fn reflectance<F: Number>(&self, cos: F) -> [F; 3] {
         match *self {
-            Self::Schlick { f0 } => f0.map(|f0| schlick(cos, f0)),
-            Self::Conductor { eta, k } => [0, 1, 2].map(
-                #[inline(always)]
-                |i| conductor(cos, cos.like(eta[i]), cos.like(k[i])),
-            ),
+            // Written out, not by `map`, which would not be written into code for registers.
+            Self::Schlick { f0: [r, g, b] } => [schlick(cos, r), schlick(cos, g), schlick(cos, b)],
+            Self::Conductor { eta, k } => [
+                conductor(cos, cos.like(eta[0]), cos.like(k[0])),
+                conductor(cos, cos.like(eta[1]), cos.like(k[1])),
+                conductor(cos, cos.like(eta[2]), cos.like(k[2])),
+            ],
         }
     }
 

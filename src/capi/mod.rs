@@ -28,6 +28,7 @@ mod hits;
 mod host_brdf;
 mod many;
 mod material;
+mod near;
 mod pattern;
 #[cfg(feature = "files")]
 mod plot;
@@ -53,6 +54,7 @@ pub use hits::*;
 pub use host_brdf::*;
 pub use many::*;
 pub use material::*;
+pub use near::*;
 pub use pattern::*;
 #[cfg(feature = "files")]
 pub use plot::*;

@@ -125,7 +125,26 @@ impl Pattern {
         self.grid.touches(low, high)
     }
 
-    /// The same, of a box that touches the grid.
+    /// Whether it holds any piece, of a box that touches the grid; or so much that it takes long to tell.
+    #[inline(always)]
+    pub(crate) fn holds_any(&self, low: DVec2, high: DVec2) -> bool {
+        let cells = self.grid.touched(low, high);
+        let look = |listed: &[u32]| match self.all_miss(listed, low, high) {
+            true => ControlFlow::Continue(()),
+            false => ControlFlow::Break(()),
+        };
+        cells.count() > MOST_CELLS || self.grid.query(&cells, look).is_break()
+    }
+
+    #[inline(never)]
+    fn all_miss(&self, pieces: &[u32], low: DVec2, high: DVec2) -> bool {
+        let curves = self.curves();
+        pieces
+            .iter()
+            .all(|&number| curves.misses(number, low, high))
+    }
+
+    /// The same as [`Self::pieces_near`], of a box that touches the grid.
     #[inline(never)]
     fn pieces_listed(&self, low: DVec2, high: DVec2, found: &mut Candidates) -> bool {
         let cells = self.grid.touched(low, high);

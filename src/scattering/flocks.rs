@@ -210,10 +210,12 @@ impl Flocks {
         let own = number.if_above(lanes.all(ends[0]), full, none);
         let full = lanes.all(ends[1]).if_above(number, own, none);
         let [a, b, c] = &self.strips;
-        let words = [a, b, c].map(
-            #[inline(always)]
-            |word| lanes.load_whole(&word[first..]),
-        );
+        // Not by `map`, which would not be written into code for registers.
+        let words = [
+            lanes.load_whole(&a[first..]),
+            lanes.load_whole(&b[first..]),
+            lanes.load_whole(&c[first..]),
+        ];
         let mut strips = packed::fullnesses(words);
         let mut share = none;
         for strip in &mut strips {

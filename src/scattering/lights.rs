@@ -234,8 +234,8 @@ impl Shading {
         let view_slope = pairs.view.x / pairs.view.z;
         let [seen_from, seen_to] = zones.seen(One, slot, view_slope >= 0.0);
         let (from, to) = (from.max(lanes.all(seen_from)), to.min(lanes.all(seen_to)));
-        let shown = |share: L::F| share * run_x + x - (share * run_z + z) * view_slope;
-        let (a, b) = (shown(from), shown(to));
+        let a = from * run_x + x - (from * run_z + z) * view_slope;
+        let b = to * run_x + x - (to * run_z + z) * view_slope;
         let part = zones.densities.between(&relief.weight, a, b).max(none);
         some.if_above(none, to.if_above(from, part, none), hidden)
     }

@@ -16,6 +16,7 @@ mod hosted;
 mod lights;
 mod look;
 mod many;
+mod near;
 mod relief;
 mod reverse;
 mod sample;

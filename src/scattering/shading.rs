@@ -3,15 +3,13 @@
 mod fill;
 
 use super::flocks::Flocks;
-use super::relief::{LONGEST_SHADOW, MOST_RELIEFS, Relief, Zones};
+use super::near::reach_mm;
+use super::relief::{MOST_RELIEFS, Relief, Zones};
 use crate::brdf::Finish;
 use crate::error::{Error, Result, all_finite};
 use crate::pattern::{Candidates, Frame, Metric, Pattern, Reach, Region, SurfacePoint};
 use crate::unit;
 use glam::{DVec2, Vec3};
-
-/// The shift of relief against the plane at a grazing view is followed to this many times its height.
-const LONGEST_PARALLAX: f32 = 20.0;
 
 /// Directions are above the surface from this cosine on: below it, single precision cannot say where relief
 /// is seen against the plane.
@@ -67,7 +65,7 @@ impl Shading {
             None => self.begin(&pattern.surface, view)?,
             Some(_) => self.begin_hosted(pattern, view)?,
         }
-        let reach_mm = self.reach_mm(pattern);
+        let reach_mm = reach_mm(pattern, self.view.truncate().length() / self.view.z);
         // By value: most points end here, and a point is only written down to be looked at by its address.
         match point.box_at_a_glance(pattern.mm_per_scene_unit, reach_mm) {
             None => self.look_closely(pattern, *point, reach_mm, None),
@@ -151,16 +149,6 @@ impl Shading {
         self.seen = 1.0;
         self.crowding = 1.0;
         self.flocks.clear();
-    }
-
-    /// How far from the footprint a scratch can matter: by its width, by parallax, by its shadow.
-    #[inline(always)]
-    fn reach_mm(&self, pattern: &Pattern) -> f64 {
-        let parallax = (self.view.truncate().length() / self.view.z).min(LONGEST_PARALLAX);
-        let extent = pattern.extent;
-        let reach =
-            extent.half_width_mm + extent.rise_mm * LONGEST_SHADOW + extent.height_mm * parallax;
-        f64::from(reach)
     }
 }
 

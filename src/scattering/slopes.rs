@@ -158,7 +158,7 @@ impl Section<'_> {
         mut keep: impl FnMut(usize, L::F, L::F) -> L::F,
     ) -> ([L::F; 2], L::F) {
         let facets = self.facet_count();
-        let [first, last] = [0, facets].map(|vertex| w.shifted(self.point(vertex)));
+        let (first, last) = (w.shifted(self.point(0)), w.shifted(self.point(facets)));
         // What is passed from the other side has a horizon that nothing moves.
         let begun = w.if_leftwards(last, lanes.all(f32::MIN));
         let mut leftmost = begun;

@@ -19,7 +19,7 @@ static double error_of(const Method *method, unsigned samples) {
 static void unscratched_agrees(void) {
     protects("the renderer's own GGX is the library's: what the overhead is measured against shows the same");
     EXPECT(plate_scratch(&plate, 0));
-    const Method plain = method_plain(&plate), empty = method_library(&plate);
+    const Method plain = method_plain(&plate), empty = method_library_everywhere(&plate);
     render(&empty, 64, 1, &reference);
     EXPECT(reference.rgb[0][0] > 0.01f);
     EXPECT(error_of(&plain, 256) < 1e-3);
@@ -36,8 +36,9 @@ static void geometry_agrees(void) {
     EXPECT(plate_scratch(&plate, SCRATCHES));
     if (!EXPECT(relief_init(&relief, &plate, error))) return;
     const Method library = method_library(&plate), geometry = method_geometry(&plate, &relief);
-    const Method plain = method_plain(&plate);
+    const Method plain = method_plain(&plate), everywhere = method_library_everywhere(&plate);
     render(&library, 64, 0, &reference);
+    EXPECT(error_of(&everywhere, 64) < 1e-4);
     EXPECT(error_of(&plain, 16) > 0.05);
     EXPECT(error_of(&library, 1) < 0.01);
     EXPECT(error_of(&geometry, 1) > 0.05);

@@ -41,6 +41,9 @@ FORWARD(StriaeStatus, striae_pattern_builder_build, (const StriaePatternBuilder 
 FORWARD(StriaeStatus, striae_frame, (const StriaePoint *point, StriaeFrame *frame), (point, frame))
 FORWARD(StriaeStatus, striae_frame_to_local, (const StriaeFrame *frame, const float world[3], float local[3]),
         (frame, world, local))
+FORWARD(StriaeStatus, striae_near,
+        (const StriaePattern *pattern, const StriaePoint *point, const float view[3], uint32_t *is_near),
+        (pattern, point, view, is_near))
 FORWARD(StriaeStatus, striae_shade,
         (const StriaePattern *pattern, const StriaePoint *point, const float view[3], StriaeShading *shading),
         (pattern, point, view, shading))

@@ -32,6 +32,31 @@ static void one_scratch(const StriaePattern *pattern) {
     EXPECT(count.written == 0 && count.found == 1 && count.complete == 1);
 }
 
+static void near_or_not(const StriaePattern *pattern) {
+    protects("what is not near the scratch is told without shading it, from anywhere and from one direction");
+    const float above[3] = {0.0f, 0.0f, 2.0f}, grazing[3] = {0.0f, 1.0f, 0.01f};
+    StriaePoint point = plate_point(0.3, 0.5 + 0.04 / 40.0, 0.01);
+    uint32_t is_near = 7;
+    EXPECT_OK(striae_near(pattern, &point, NULL, &is_near));
+    EXPECT(is_near == 1);
+    EXPECT_OK(striae_near(pattern, &point, above, &is_near));
+    EXPECT(is_near == 1);
+    point = plate_point(0.3, 0.9, 0.01);
+    EXPECT_OK(striae_near(pattern, &point, NULL, &is_near));
+    EXPECT(is_near == 0);
+    is_near = 7;
+    EXPECT_OK(striae_near(pattern, &point, grazing, &is_near));
+    EXPECT(is_near == 0);
+
+    protects("a point that cannot be told is left to striae_shade(), which says why");
+    point.normal[2] = 0.0f;
+    EXPECT_OK(striae_near(pattern, &point, above, &is_near));
+    EXPECT(is_near == 1);
+    EXPECT_REFUSED(striae_near(NULL, &point, above, &is_near), "pattern", "NULL");
+    EXPECT_REFUSED(striae_near(pattern, NULL, above, &is_near), "point", "NULL");
+    EXPECT_REFUSED(striae_near(pattern, &point, above, NULL), "is_near", "NULL");
+}
+
 static void refused(const StriaePattern *pattern) {
     protects("what cannot be is refused by name, and leaves a count of nothing");
     StriaePoint point = plate_point(0.5, 0.5, 0.1);
@@ -55,6 +80,7 @@ int main(void) {
     plate_init(&plate);
     StriaePattern *pattern = plate_pattern(&plate);
     one_scratch(pattern);
+    near_or_not(pattern);
     refused(pattern);
     striae_tool_release(plate.tool);
     striae_pattern_release(pattern);
