@@ -31,8 +31,10 @@ const STREWN_LENGTHS_MM: core::ops::Range<f64> = 2.5..10.5;
 const MANY: u32 = 64;
 
 /// A call of each kind, and of how many things it disposes.
-const JOBS: [(&str, u32); 17] = [
+const JOBS: [(&str, u32); 19] = [
     ("ggx", 1),
+    ("near_empty", 1),
+    ("near_beside", 1),
     ("shade_empty", 1),
     ("shade_beside", 1),
     ("shade_one", 1),
@@ -77,6 +79,7 @@ fn main() {
     for (job, ns) in times {
         note(&format!("{job}_ns"), ns);
     }
+    note("near_per_ggx", of("near_beside") / ggx);
     note("shade_empty_per_ggx", of("shade_empty") / ggx);
     note("shade_eval_per_ggx", (of("shade_one") + of("eval")) / ggx);
     note("eval_again_per_ggx", of("eval") / ggx);
@@ -210,6 +213,8 @@ impl Scene {
                 let view = black_box([0.215_67, 0.107_83, 0.970_5]);
                 black_box(ggx_conductor(view, normalized(direction(i))));
             }
+            "near_empty" => near(&self.one, &point(0.25, 0.05), i),
+            "near_beside" => near(&self.one, &point(0.7, 0.05), i),
             "shade_empty" => shade(shading, &self.one, &point(0.25, 0.05), i),
             // Within the grid, and nothing there.
             "shade_beside" => shade(shading, &self.one, &point(0.7, 0.05), i),
@@ -260,6 +265,10 @@ fn shade(shading: &mut Shading, pattern: &Pattern, point: &SurfacePoint, i: u32)
     let shaded = shading.shade(pattern, black_box(point), direction(i));
     shaded.expect("a valid point");
     black_box(shading);
+}
+
+fn near(pattern: &Pattern, point: &SurfacePoint, i: u32) {
+    black_box(pattern.is_near(black_box(point), Some(direction(i))));
 }
 
 fn builder() -> PatternBuilder {

@@ -226,6 +226,7 @@ fn render(pattern: &Pattern) -> f32 {
                 Err(error) => write!(Nowhere, "{error}").unwrap(),
             }
             for view in views {
+                black_box(pattern.is_near(&point, Some(view)));
                 if let Err(error) = shading.shade(pattern, &point, view) {
                     // To say what was wrong costs nothing either.
                     write!(Nowhere, "{error}").unwrap();
