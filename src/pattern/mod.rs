@@ -6,6 +6,7 @@
 
 mod along;
 mod arc_length;
+mod blank;
 mod boxes;
 mod builder;
 mod caps;

@@ -1,5 +1,6 @@
 //! A surface with its scratches, ready to be queried.
 
+use super::blank::Blank;
 use super::builder::PatternBuilder;
 use super::course::Course;
 use super::grid::Grid;
@@ -37,6 +38,7 @@ pub struct Pattern {
     pub(crate) palette: Palette,
     pub(super) pyramid: Pyramid,
     pub(super) grid: Grid,
+    pub(super) blank: Blank,
     pub(crate) surface: Finish,
     pub(crate) mm_per_scene_unit: f64,
     pub(crate) units_per_uv: DVec2,
@@ -108,6 +110,7 @@ impl Pattern {
             palette: Palette::default(),
             pyramid: Pyramid::default(),
             grid: Grid::default(),
+            blank: Blank::default(),
             tracks,
             hosts,
         };
@@ -116,6 +119,7 @@ impl Pattern {
             || Grid::new(pattern.curves()),
             || rayon::join(|| visible_shares(&pattern), || pattern.station_areas()),
         );
+        pattern.blank = Blank::new(pattern.curves(), grid.raster.bounds());
         pattern.grid = grid;
         pattern.visible = visible.into();
         pattern.palette = Palette::new(&pattern.tracks, &areas);
@@ -213,7 +217,8 @@ impl Pattern {
             + size_of_val(&self.visible[..])
             + self.tracks.bytes()
             + self.pyramid.bytes()
-            + self.grid.bytes();
+            + self.grid.bytes()
+            + self.blank.bytes();
         PatternMemory {
             control_points,
             rest,

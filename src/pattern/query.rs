@@ -122,7 +122,7 @@ impl Pattern {
     /// Whether any piece may be near a box in (u, v).
     #[inline(always)]
     pub(crate) fn touches(&self, low: DVec2, high: DVec2) -> bool {
-        self.grid.touches(low, high)
+        self.grid.touches(low, high) && self.blank.may_cross(low, high)
     }
 
     /// Whether it holds any piece, of a box that touches the grid; or so much that it takes long to tell.

@@ -1,6 +1,7 @@
 //! A pattern as one block of numbers and some arrays, for files that are read where they lie.
 
 use super::Pattern;
+use super::blank::Blank;
 use super::caps::Caps;
 use super::grid::Grid;
 use super::hosts::Hosts;
@@ -131,7 +132,7 @@ impl Pattern {
     ) -> Option<Self> {
         let facts: Facts = try_pod_read_unaligned(facts).ok()?;
         // In the order of `sections`: so are the fields of an expression evaluated.
-        let pattern = Self {
+        let mut pattern = Self {
             points: sections.next()?,
             pieces: sections.next()?,
             strands: sections.next()?,
@@ -166,6 +167,7 @@ impl Pattern {
                 sections.next()?,
                 sections.next()?,
             ),
+            blank: Blank::default(),
             surface: facts.surface,
             mm_per_scene_unit: facts.mm_per_scene_unit,
             units_per_uv: facts.units_per_uv,
@@ -177,7 +179,11 @@ impl Pattern {
             && pattern.palette.is_sound()
             && pattern.pyramid.is_sound()
             && pattern.grid.is_sound();
-        is_sound.then_some(pattern)
+        if !is_sound {
+            return None;
+        }
+        pattern.blank = Blank::new(pattern.curves(), pattern.grid.raster.bounds());
+        Some(pattern)
     }
 }
 
