@@ -95,7 +95,7 @@ mod tests {
             let end = start + 0.09 * size * DVec2::X;
             pixel.clipped(start, inward)?.clipped(end, -inward)
         };
-        let slices: Vec<Region> = (-4..4).filter_map(slice).collect();
+        let slices: Vec<Region> = (-2..2).filter_map(slice).collect();
         let across = DVec2::from_angle(angle);
         let line = CenterLine::even(far * across, across.perp());
         let mut raw = Raw::EMPTY;
@@ -180,7 +180,7 @@ mod tests {
             assert_eq!(steps.count(), 1);
         }
         println!("centres of {kept} of {merged} stay");
-        assert!(merged > 500 && 2 * kept > merged, "{kept} of {merged}");
+        assert!(merged > 300 && 2 * kept > merged, "{kept} of {merged}");
     }
 
     /// As many runs as a shading point holds, each of as many steps as are kept, find room; none loses weight, and where runs are
@@ -196,7 +196,7 @@ mod tests {
             surplus.keep(raw.steps(weight, seen), &relief);
         }
         let before: usize = surplus.steps().map(Steps::count).sum();
-        assert!(before > 3 * MOST_DENSITIES, "{before} steps are few");
+        assert!(before > 2 * MOST_DENSITIES, "{before} steps are few");
         surplus.merge();
         let after: usize = surplus.steps().map(Steps::count).sum();
         assert_eq!(after, MOST_DENSITIES, "not all room is used");
@@ -228,7 +228,7 @@ mod tests {
     fn what_is_not_seen_is_merged_first() {
         let (raw, weight) = pieces(1.0, 0.4, 0.0);
         let mut surplus = Surplus::new();
-        for i in 0..6 {
+        for i in 0..12 {
             let relief = relief(if i == 0 { 0.0 } else { 1.0 }, [0.0, 0.1]);
             surplus.keep(raw.steps(&weight, weight.window), &relief);
         }

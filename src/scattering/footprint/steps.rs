@@ -10,7 +10,7 @@ use arrayvec::ArrayVec;
 pub(super) const MOST_OF_RUN: usize = MOST_PARTS * 2 * (MOST_CORNERS + 1);
 
 /// Steps that a run's density has at most beside those of others: so many leave it as it is, but for what nobody sees.
-pub(super) const MOST_STEPS: usize = 32;
+pub(super) const MOST_STEPS: usize = 20;
 
 /// What lies beside that part of a run which is seen counts for half at this share of the part's width, and for less farther
 /// off: only shadows reach there. Larger and smaller ones let bright sheets and dark ones change more.
@@ -18,8 +18,8 @@ const BESIDE: f64 = 1.0 / 16.0;
 
 /// A run's density in steps side by side.
 #[derive(Clone, Debug)]
-pub(crate) struct Steps<const MOST: usize = MOST_STEPS> {
-    all: ArrayVec<Step, MOST>,
+pub(crate) struct Steps {
+    all: ArrayVec<Step, MOST_STEPS>,
     /// Between which places across the run is seen, mm.
     seen_mm: [f32; 2],
 }
@@ -57,7 +57,7 @@ impl Steps {
         let mut ends: ArrayVec<f32, { 2 * MOST_OF_RUN }> = ArrayVec::new();
         ends.extend(pieces.iter().flat_map(|piece| [piece.from, piece.to]));
         ends.sort_unstable_by(f32::total_cmp);
-        let mut steps = Steps::<{ 4 * MOST_OF_RUN }> {
+        let mut steps = Self {
             all: ArrayVec::new(),
             seen_mm,
         };
@@ -69,16 +69,7 @@ impl Steps {
             }
             last = end;
         }
-        while steps.count() > MOST_STEPS {
-            let Some((place, _)) = steps.cheapest() else {
-                break;
-            };
-            steps.merge_at(place);
-        }
-        Self {
-            all: steps.all.into_iter().take(MOST_STEPS).collect(),
-            seen_mm,
-        }
+        steps
     }
 
     /// The run is seen between these places.
@@ -88,9 +79,7 @@ impl Steps {
             self.look_at(place);
         }
     }
-}
 
-impl<const MOST: usize> Steps<MOST> {
     pub(super) fn all(&self) -> &[Step] {
         &self.all
     }
@@ -118,9 +107,14 @@ impl<const MOST: usize> Steps<MOST> {
         self.look_at(place.wrapping_sub(1));
     }
 
-    /// Adds a step behind all others, if it weighs anything.
+    /// Adds a step behind all others, if it weighs anything; if there is no room, others become one.
     fn push(&mut self, step: Step) {
-        if step.weight > 0.0 && self.all.try_push(step).is_ok() {
+        if step.weight > 0.0 {
+            if let (true, Some((place, _))) = (self.all.is_full(), self.cheapest()) {
+                self.merge_at(place);
+            }
+            // There is room now.
+            let _ = self.all.try_push(step);
             self.look_at(self.count().wrapping_sub(2));
         }
     }
