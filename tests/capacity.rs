@@ -3,6 +3,7 @@
 mod support;
 
 use glam::DVec2;
+use rand::Rng;
 use striae::formation::{Material, Tool};
 use striae::pattern::Pattern;
 use striae::scattering::Shading;
@@ -193,6 +194,49 @@ fn a_sliver_does_not_stand_for_many() {
     assert!(
         relative(truth, pixel(false, false, 1)) > 0.05,
         "the many do not show"
+    );
+}
+
+/// Pixels of a dozen or two of wide scratches, each cut into many parts by those that cross it, are like the mean of their
+/// parts: what is kept of each, where not all finds room, is what shows.
+#[test]
+fn wide_scratches_that_cross_find_room() {
+    const PIXELS: u32 = 60;
+    let (mut random, mut worst, mut sum) = (random(7), 0.0_f64, 0.0);
+    for i in 0..PIXELS {
+        let mut builder = sheet_of(&dark_sheet());
+        for _ in 0..24 {
+            let (shift, turn) = (
+                random.random_range(-0.5..0.5),
+                random.random_range(0.0..360.0),
+            );
+            add(
+                &mut builder,
+                &Tool::vickers(),
+                None,
+                shift,
+                turn,
+                random.random_range(1.0..3.0),
+            );
+        }
+        let pattern = builder.build();
+        let sheet = Sheet {
+            view: any_direction(&mut random, 60.0),
+            light: any_direction(&mut random, 60.0),
+            ..Sheet::UPRIGHT
+        };
+        let dx = random.random_range(0.4..0.7) / SHEET_MM * DVec2::from_angle(f64::from(i));
+        let [whole, parts] =
+            [1, 6].map(|n| sheet.mean_of_parts(&pattern, DVec2::splat(0.5), dx, dx.perp(), n));
+        let off = relative(whole, parts);
+        sum += off * off;
+        worst = worst.max(off);
+    }
+    let rms = (sum / f64::from(PIXELS)).sqrt();
+    println!("wide scratches that cross: {worst:.1e} at worst, {rms:.1e} in the mean");
+    assert!(
+        worst < 0.005 && rms < 0.0015,
+        "{worst} at worst, {rms} in the mean"
     );
 }
 

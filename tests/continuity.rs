@@ -202,6 +202,29 @@ fn zooming_out() {
     zoom(CROWD, "a tangle", &builder.build(), DVec2::new(0.5, 0.501));
 }
 
+/// Walking over wide scratches that cross, of whose parts there are more than a shading point has room for.
+#[test]
+fn over_wide_scratches_that_cross() {
+    for seed in 0..6_u32 {
+        let mut random = random(seed.into());
+        let mut builder = sheet_of(&dark_sheet());
+        for _ in 0..24 {
+            let (shift, turn) = (
+                random.random_range(-0.5..0.5),
+                random.random_range(0.0..360.0),
+            );
+            let force = random.random_range(1.0..3.0);
+            add(&mut builder, &Tool::vickers(), None, shift, turn, force);
+        }
+        let pattern = builder.build();
+        let way = 0.3 / SHEET_MM * DVec2::from_angle(f64::from(seed));
+        let size_mm = random.random_range(0.45..0.7);
+        assert_jumps_below(0.3 * CROWD, &format!("over wide scratches, {seed}"), |s| {
+            pixel(&pattern, DVec2::splat(0.5) + (s - 0.5) * way, size_mm)
+        });
+    }
+}
+
 /// Turning the light and the view from one horizon to the other.
 #[test]
 fn turning_view_and_light() {

@@ -1,5 +1,6 @@
 //! One shading point seen from one direction: everything that does not depend on the light.
 
+mod crossing;
 mod fill;
 
 use super::flocks::Flocks;

@@ -1,6 +1,9 @@
 //! Densities against areas and counted points.
 
 use super::*;
+use crate::pattern::{CenterLine, Left, Region};
+use crate::single;
+use glam::DVec2;
 
 /// Any region weighs its share of the pixel, whichever way the scratch runs.
 #[test]
@@ -11,7 +14,7 @@ fn weighs_its_area() {
         .unwrap();
     for degrees in [0.0_f64, 17.0, 90.0, 133.0] {
         let across = DVec2::from_angle(degrees.to_radians());
-        let mut densities = Densities::EMPTY;
+        let mut densities = <Densities>::EMPTY;
         let origin = DVec2::new(0.1, -0.2);
         let line = CenterLine::even(origin, across.perp());
         let weight = densities.add_regions(&[part], &line, pixel.area());
@@ -37,7 +40,7 @@ fn sides_of_a_line_weigh_their_areas() {
         let pixel = Region::parallelogram(DVec2::new(ax, ay), DVec2::new(bx, by));
         for degrees in [0.0_f64, 17.0, 45.0, 90.0, 133.0, 201.0] {
             let across = DVec2::from_angle(degrees.to_radians());
-            let (mut densities, origin) = (Densities::EMPTY, DVec2::new(0.1, -0.2));
+            let (mut densities, origin) = (<Densities>::EMPTY, DVec2::new(0.1, -0.2));
             let line = CenterLine::even(origin, across.perp());
             let weight = densities.add_regions(&[pixel], &line, pixel.area());
             let weight = weight.unwrap();
@@ -69,7 +72,7 @@ fn points_of_a_tapering_run_weigh_their_share() {
             let travel = DVec2::from_angle(degrees.to_radians());
             let origin = DVec2::new(0.03, -0.02);
             let line = CenterLine::even(origin, travel).tapering(taper, [-0.05, 0.04], &region);
-            let mut densities = Densities::EMPTY;
+            let mut densities = <Densities>::EMPTY;
             let weight = densities.add_regions(&[region], &line, pixel.area());
             let weight = weight.unwrap();
             let across = |point: &DVec2| {
@@ -101,7 +104,7 @@ fn strips_weigh_what_is_left() {
     for degrees in [0.0_f64, 17.0, 45.0, 133.0] {
         let travel = DVec2::from_angle(degrees.to_radians()).perp();
         let line = CenterLine::even(DVec2::new(0.01, 0.02), travel);
-        let mut densities = Densities::EMPTY;
+        let mut densities = <Densities>::EMPTY;
         let mut add = |left: &Left| {
             let weight = densities.add_left(&[pixel], Some(left), &line, pixel.area());
             weight.unwrap()
@@ -133,7 +136,7 @@ fn tiny_pixel_weighs_one() {
         let edge = |x: f64, y: f64| DVec2::new(x, y) * size;
         let pixel = Region::parallelogram(edge(1.0, 0.3), edge(-0.2, 0.9));
         let far = DVec2::new(-37.0, 5.0);
-        let mut densities = Densities::EMPTY;
+        let mut densities = <Densities>::EMPTY;
         let across = DVec2::from_angle(0.3);
         let line = CenterLine::even(far, across.perp());
         let weight = densities.add_regions(&[pixel], &line, pixel.area());
@@ -146,7 +149,7 @@ fn tiny_pixel_weighs_one() {
 #[test]
 fn box_is_linear() {
     let pixel = Region::parallelogram(DVec2::new(2.0, 0.0), DVec2::new(0.0, 5.0));
-    let mut densities = Densities::EMPTY;
+    let mut densities = <Densities>::EMPTY;
     let line = CenterLine::even(DVec2::ZERO, DVec2::Y);
     let weight = densities.add_regions(&[pixel], &line, pixel.area());
     let between = |from, to| densities.between(&weight.unwrap(), from, to);

@@ -39,6 +39,18 @@ impl Zones {
         in_lanes!(lanes => self.prepare_in(lanes, vertices, false, across, weight, view))
     }
 
+    /// Prepares what was prepared before for another weight. All that was prepared after it must follow.
+    pub(crate) fn prepare_again(&mut self, relief: &mut Relief, weight: Weight, view: Vec3) {
+        let own = relief.slots();
+        self.used = relief.first;
+        relief.weight = weight;
+        if let Some(again) = self.prepare(own.len(), relief.across, weight, view) {
+            let gain = relief.gain;
+            *relief = Relief { gain, ..again };
+        }
+        self.used = u32::try_from(own.end).unwrap_or(0);
+    }
+
     /// Puts a run's cross-section into the free slots; how many vertices it has.
     #[inline(always)]
     fn place<L: Lanes>(

@@ -1,22 +1,18 @@
 //! What a footprint holds, put into a shading point: scratches one by one, or as a crowd.
 
 use super::Shading;
+use super::crossing::room;
 use crate::formation::MOST_LAYERS;
-use crate::pattern::{
-    Candidates, Covers, Crossing, Crowd, Cutting, Hit, Left, MOST_BOXES, NearCrowd, Parts, Pattern,
-    Reach, Region, cut_away,
-};
+use crate::pattern::{Candidates, Crossing, Crowd, Hit, Left, MOST_BOXES, Pattern, Reach, Region};
 use crate::scattering::eval::rest;
 use crate::scattering::flocks::{Flock, MOST_FLOCKS};
-use crate::scattering::relief::{MOST_RELIEFS, MOST_SLOTS, Relief};
+use crate::scattering::footprint::Weight;
+use crate::scattering::relief::{MOST_RELIEFS, Relief};
 use crate::single;
 use arrayvec::ArrayVec;
 use core::ops::ControlFlow;
 use core::slice;
 use glam::DVec2;
-
-/// Parts that crossings may cut a run's share of the pixel into.
-const MOST_PARTS: usize = 8;
 
 /// Scratches that a footprint may hold for each to be looked at by itself.
 const MOST_ALONE: usize = 48;
@@ -28,17 +24,31 @@ const MOST_HITS: usize = MOST_BOXES;
 /// than a scratch to be shaded.
 const FEW_HITS: usize = 12;
 
-/// Scratches up to this share of the footprint's thickness are thin: what later ones take of one is measured on lines along
-/// it. So is what they take of any that they cut into more parts.
-const THIN: f64 = 0.125;
-
 /// Beside many others the caps of scratches up to this share of it count as a crowd: all of it from twice so many pieces on,
 /// none up to so many.
 const THIN_CAPS: f64 = 0.0625;
 const FEW_PIECES: f64 = 4.0;
 
-/// A run that is larger by this share than the first one of the crowd stands alone; in between it does in part.
-const FADE: f64 = 0.3;
+/// What of the pixel a run is added for, thinned by `gain`: these parts of the footprint, or what is `left` of them.
+pub(super) struct Share<'a> {
+    pub hit: &'a Hit<'a>,
+    pub parts: &'a [Region],
+    pub left: Option<&'a Left>,
+    pub gain: f32,
+}
+
+impl<'a> Share<'a> {
+    /// Of all that lies in the footprint.
+    #[inline(always)]
+    pub(super) fn whole(hit: &'a Hit<'a>, footprint: &'a Region, gain: f32) -> Self {
+        Self {
+            hit,
+            parts: slice::from_ref(hit.region(footprint)),
+            left: None,
+            gain,
+        }
+    }
+}
 
 impl Shading {
     /// Adds all that the footprint holds; of too many to be looked at one by one there are no candidates.
@@ -65,8 +75,8 @@ impl Shading {
         let Some(hit) = pattern.only_run(piece as usize, reach) else {
             return false;
         };
-        let parts = slice::from_ref(hit.region(reach.footprint));
-        let added = self.add(pattern, &hit, parts, None, 1.0, reach.area_mm2);
+        let share = Share::whole(&hit, reach.footprint, 1.0);
+        let added = self.add(pattern, &share, reach.area_mm2);
         self.scratch_count = u32::from(added.is_some() && !hit.is_beside(reach.footprint));
         added.is_some()
     }
@@ -177,8 +187,8 @@ impl Shading {
         let count = self.scratch_count;
         let mut hits = hits.iter();
         let all = hits.all(|hit| {
-            let parts = slice::from_ref(hit.region(reach.footprint));
-            self.add_parts(pattern, hit, parts, None, single(hit.alone), reach)
+            let share = Share::whole(hit, reach.footprint, single(hit.alone));
+            self.add_apart(pattern, &share, reach.area_mm2)
         });
         if !all {
             self.clear();
@@ -187,102 +197,39 @@ impl Shading {
         all
     }
 
-    /// Adds runs, each less what later ones cut away; the smallest ones to the crowd where there is no room.
-    #[inline(never)]
-    fn add_crossing<const MOST: usize>(
-        &mut self,
-        pattern: &Pattern,
-        hits: &[Hit<'_>],
-        reach: &Reach<'_>,
-        crowd: &mut Option<NearCrowd>,
-    ) {
-        let footprint = reach.footprint;
-        let mut covers = Covers::<MOST>::new();
-        covers.add(hits, footprint);
-        let (crossing, mut cutting) = (covers.crossing(hits, footprint), Cutting::new());
-        let thin_mm = THIN * footprint.thickness();
-        let mut runs: ArrayVec<(usize, f64), MOST> = ArrayVec::new();
-        runs.extend(covers.areas.iter().copied().enumerate());
-        runs.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let (room, mut taken) = (room(pattern), 0);
-        let full = |&(k, &(i, _)): &(usize, &(usize, f64))| {
-            taken += hits[i].most_vertices();
-            k == MOST_RELIEFS || taken > room
-        };
-        let first_of_crowd = runs.iter().enumerate().find(full);
-        let first_of_crowd = first_of_crowd.map_or(0.0, |(_, run)| run.1);
-        for &(i, area) in &runs {
-            let hit = &hits[i];
-            let [left, right] = hit.ends_mm;
-            // The smallest run that stands alone has no weight there yet: nothing jumps where another takes its place.
-            let alone = ((area / first_of_crowd - 1.0) / FADE).clamp(0.0, 1.0);
-            let alone = if first_of_crowd > 0.0 { alone } else { 1.0 };
-            let gain = single(alone * hit.alone);
-            let whole = reach.area_mm2;
-            let mut add = |parts: &[Region], left: Option<&Left>| {
-                self.add_parts(pattern, hit, parts, left, gain, reach)
-            };
-            crossing.find_cutting(i, &mut cutting);
-            let all = slice::from_ref(hit.region(footprint));
-            // Most are not cut, and there is nothing to be measured of them.
-            let is_whole = alone == 1.0 && cutting.is_empty() && crossing.covers[i].is_some();
-            let mut cut = || {
-                let mut parts = Parts::new();
-                parts.push(all[0]);
-                let are_few = cut_away(&mut parts, &cutting, whole) && parts.len() <= MOST_PARTS;
-                are_few && add(&parts, None)
-            };
-            let is_cut = match is_whole {
-                true => add(all, None),
-                false => alone > 0.0 && right - left > thin_mm && cut(),
-            };
-            if is_cut && alone == 1.0 {
-                continue;
-            }
-            let left = crossing.left(i, &cutting, whole);
-            let may_fit = alone > 0.0 && !is_whole;
-            let added = is_cut || (may_fit && add(all, Some(&left)));
-            let rest = if added { 1.0 - alone } else { 1.0 };
-            if rest > 0.0 && area > 0.0 {
-                let crowd = crowd.get_or_insert_with(NearCrowd::new);
-                let area_mm2 = rest * area * left.mean * hit.alone;
-                pattern.add_run(crowd, hit, reach, area_mm2, &left.across(hit.ends_mm));
-            }
-        }
-    }
-
     /// The same as [`Self::add`], apart; whether there is room.
     #[inline(never)]
-    fn add_parts(
+    pub(super) fn add_apart(
         &mut self,
         pattern: &Pattern,
-        hit: &Hit<'_>,
-        parts: &[Region],
-        left: Option<&Left>,
-        gain: f32,
-        reach: &Reach<'_>,
+        share: &Share<'_>,
+        area_mm2: f64,
     ) -> bool {
-        let added = self.add(pattern, hit, parts, left, gain, reach.area_mm2);
-        added.is_some()
+        self.add(pattern, share, area_mm2).is_some()
     }
 
-    /// Adds what is `left` of a run (or all), of these `parts` of a footprint of so many mm², thinned by `gain`; nothing if
-    /// there is no room.
+    /// Adds a share of a footprint of so many mm²; nothing if there is no room.
     #[inline(always)]
-    fn add(
-        &mut self,
-        pattern: &Pattern,
-        hit: &Hit<'_>,
-        parts: &[Region],
-        left: Option<&Left>,
-        gain: f32,
-        area_mm2: f64,
-    ) -> Option<()> {
-        if self.relief_count as usize == MOST_RELIEFS || !self.zones.has_room(hit.most_vertices()) {
+    fn add(&mut self, pattern: &Pattern, share: &Share<'_>, area_mm2: f64) -> Option<()> {
+        if !self.has_room(share.hit) {
             return None;
         }
         let densities = &mut self.zones.densities;
-        let weight = densities.add_left(parts, left, &hit.line, area_mm2)?;
+        let weight = densities.add_left(share.parts, share.left, &share.hit.line, area_mm2)?;
+        self.hold(pattern, share, weight);
+        Some(())
+    }
+
+    /// Whether a run finds room, but for its density.
+    #[inline(always)]
+    pub(super) fn has_room(&self, hit: &Hit<'_>) -> bool {
+        (self.relief_count as usize) < MOST_RELIEFS && self.zones.has_room(hit.most_vertices())
+    }
+
+    /// Holds a run of this density for which there is room, if any of it is to be seen; whether there is.
+    #[inline(always)]
+    pub(super) fn hold(&mut self, pattern: &Pattern, share: &Share<'_>, weight: Weight) -> bool {
+        let hit = share.hit;
         let mut number = |finish| self.zones.finish(&pattern.hosts.found(finish));
         let (mut numbers, layers) = ([0; MOST_LAYERS + 1], hit.track.layers());
         for (own, layer) in numbers.iter_mut().zip(layers) {
@@ -292,12 +239,13 @@ impl Shading {
         let (profile, across) = (&hit.profile, hit.line.across().as_vec2());
         let zones = &mut self.zones;
         let prepared = zones.prepare_run(profile, layers, &numbers, across, weight, self.view);
-        if let Some(mut relief) = prepared {
-            relief.gain = gain;
-            self.reliefs[self.relief_count as usize] = relief;
-            self.relief_count += 1;
-        }
-        Some(())
+        let Some(mut relief) = prepared else {
+            return false;
+        };
+        relief.gain = share.gain;
+        self.reliefs[self.relief_count as usize] = relief;
+        self.relief_count += 1;
+        true
     }
 
     /// Adds scratches by cross-section and direction; false if there is no room for one of the cross-sections.
@@ -361,9 +309,4 @@ impl Shading {
 fn fit(pattern: &Pattern, hits: &[Hit<'_>]) -> bool {
     let vertices: usize = hits.iter().map(Hit::most_vertices).sum();
     hits.len() <= MOST_RELIEFS && vertices <= room(pattern)
-}
-
-/// Vertices of scratches that may be held one by one: the others are for a crowd.
-fn room(pattern: &Pattern) -> usize {
-    MOST_SLOTS - pattern.palette.vertex_count()
 }
