@@ -5,9 +5,9 @@ use super::pattern::StriaePattern;
 use super::shading::StriaePoint;
 use super::status::{StriaeStatus, guard};
 
-/// Whether scratches may matter at a point: for renderers that shade the unscratched surface themselves, and then need not call
-/// striae_shade() where none is near. It takes a fraction of the time. Never allocates, locks or blocks; any number of threads
-/// at once.
+/// Whether scratches may matter at a point: for renderers that shade the unscratched surface themselves, and then need neither
+/// striae_shade() nor striae_eval() where none is near. Refuses nothing but NULL. Never allocates, locks or blocks; any number of
+/// threads at once.
 ///
 /// Where it says no, striae_shade() finds no scratch there, and the point reflects what the pattern's surface material
 /// does. Where it says yes there may be none all the same; so it does of most points that striae_shade() refuses.
