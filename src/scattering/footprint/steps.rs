@@ -37,9 +37,10 @@ pub(super) struct Step {
 }
 
 impl Steps {
-    /// Of these regions together, less what is not left of them, across a run that is seen between two places.
+    /// Of these regions together, less what is not left of them, across a run that is seen between two places, if they have
+    /// more pieces than a shading point has room for.
     #[inline(never)]
-    pub(crate) fn of(
+    pub(super) fn of_many(
         regions: &[Region],
         left: Option<&Left>,
         line: &CenterLine,
@@ -61,11 +62,14 @@ impl Steps {
             all: ArrayVec::new(),
             seen_mm,
         };
+        let any_thin = pieces.iter().any(|piece| piece.from == piece.to);
         let mut last = f32::NAN;
         for end in ends {
             if end != last {
                 steps.push(Step::between(pieces, [last, end]));
-                steps.push(Step::at(pieces, end));
+                if any_thin {
+                    steps.push(Step::at(pieces, end));
+                }
             }
             last = end;
         }
@@ -110,12 +114,20 @@ impl Steps {
     /// Adds a step behind all others, if it weighs anything; if there is no room, others become one.
     fn push(&mut self, step: Step) {
         if step.weight > 0.0 {
-            if let (true, Some((place, _))) = (self.all.is_full(), self.cheapest()) {
-                self.merge_at(place);
+            if self.all.is_full() {
+                self.make_room();
             }
             // There is room now.
             let _ = self.all.try_push(step);
-            self.look_at(self.count().wrapping_sub(2));
+        }
+    }
+
+    /// Makes one of those two that it changes least.
+    #[inline(never)]
+    fn make_room(&mut self) {
+        self.look_through(self.seen_mm);
+        if let Some((place, _)) = self.cheapest() {
+            self.merge_at(place);
         }
     }
 
@@ -182,9 +194,10 @@ impl Step {
     fn change_with(&self, next: &Self, seen_mm: [f32; 2]) -> f32 {
         let merged = self.with(next);
         let far = self.distance_to(next.to);
+        let (per_half, seen) = (2.0 / far, Seen::between(seen_mm));
         let square = |off: f64, wanted: f64| {
-            let now = merged.weight_up_to(2.0 * off / far - 1.0);
-            let change = (now - wanted) * relevance(f64::from(self.from) + off, seen_mm);
+            let now = merged.weight_up_to(off * per_half - 1.0);
+            let change = (now - wanted) * seen.relevance(f64::from(self.from) + off);
             change * change
         };
         let (to, from) = (self.distance_to(self.to), self.distance_to(next.from));
@@ -196,7 +209,7 @@ impl Step {
             + (from - to) * (ends[0] + ends[1]) / 2.0
             + (far - from) * (ends[1] + 4.0 * within_next) / 6.0;
         if far > 0.0 {
-            single((sum / width(seen_mm)).sqrt())
+            single((sum * seen.per_mm).sqrt())
         } else {
             0.0
         }
@@ -225,13 +238,27 @@ impl Piece {
     }
 }
 
-/// How much a place counts across a run that is seen between two others.
-fn relevance(place: f64, seen_mm: [f32; 2]) -> f64 {
-    let [from, to] = seen_mm.map(f64::from);
-    let beside = (from - place).max(place - to).max(0.0);
-    1.0 / (1.0 + beside / (BESIDE * width(seen_mm)))
+/// That part of a run which is seen, mm across.
+struct Seen {
+    from: f64,
+    to: f64,
+    /// 1 over its width.
+    per_mm: f64,
 }
 
-fn width([from, to]: [f32; 2]) -> f64 {
-    (f64::from(to) - f64::from(from)).max(f64::MIN_POSITIVE)
+impl Seen {
+    fn between([from, to]: [f32; 2]) -> Self {
+        let [from, to] = [from, to].map(f64::from);
+        let per_mm = 1.0 / (to - from).max(f64::MIN_POSITIVE);
+        Self { from, to, per_mm }
+    }
+
+    /// How much a place counts.
+    fn relevance(&self, place: f64) -> f64 {
+        let beside = (self.from - place).max(place - self.to).max(0.0);
+        match beside > 0.0 {
+            true => 1.0 / (1.0 + beside * self.per_mm / BESIDE),
+            false => 1.0,
+        }
+    }
 }
