@@ -7,7 +7,7 @@ use rand::Rng;
 use striae::formation::{Material, Tool};
 use striae::pattern::Pattern;
 use striae::scattering::Shading;
-use support::crowd::{add, comb};
+use support::crowd::{add, comb, tangle};
 use support::sheet_of;
 use support::{
     SHEET_MM, Sheet, any_direction, dark_sheet, direction, ggx, lambert, random, relative,
@@ -204,22 +204,7 @@ fn wide_scratches_that_cross_find_room() {
     const PIXELS: u32 = 60;
     let (mut random, mut worst, mut sum) = (random(7), 0.0_f64, 0.0);
     for i in 0..PIXELS {
-        let mut builder = sheet_of(&dark_sheet());
-        for _ in 0..24 {
-            let (shift, turn) = (
-                random.random_range(-0.5..0.5),
-                random.random_range(0.0..360.0),
-            );
-            add(
-                &mut builder,
-                &Tool::vickers(),
-                None,
-                shift,
-                turn,
-                random.random_range(1.0..3.0),
-            );
-        }
-        let pattern = builder.build();
+        let pattern = tangle(&dark_sheet(), &mut random);
         let sheet = Sheet {
             view: any_direction(&mut random, 60.0),
             light: any_direction(&mut random, 60.0),

@@ -6,7 +6,7 @@ use glam::DVec2;
 use rand::Rng;
 use striae::formation::{Orientation, Tool};
 use striae::pattern::{Footprint, Key, Path, Pattern, Scratch, SurfacePoint};
-use support::crowd::add;
+use support::crowd::{add, tangle};
 use support::jumps::{CROWD, NOISE, assert_jumps_below, assert_smooth, largest_jump};
 use support::{SHEET_MM, Sheet, dark_sheet, direction, random, sheet_of, straight};
 
@@ -207,16 +207,7 @@ fn zooming_out() {
 fn over_wide_scratches_that_cross() {
     for seed in 0..6_u32 {
         let mut random = random(seed.into());
-        let mut builder = sheet_of(&dark_sheet());
-        for _ in 0..24 {
-            let (shift, turn) = (
-                random.random_range(-0.5..0.5),
-                random.random_range(0.0..360.0),
-            );
-            let force = random.random_range(1.0..3.0);
-            add(&mut builder, &Tool::vickers(), None, shift, turn, force);
-        }
-        let pattern = builder.build();
+        let pattern = tangle(&dark_sheet(), &mut random);
         let way = 0.3 / SHEET_MM * DVec2::from_angle(f64::from(seed));
         let size_mm = random.random_range(0.45..0.7);
         assert_jumps_below(0.3 * CROWD, &format!("over wide scratches, {seed}"), |s| {

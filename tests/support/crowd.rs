@@ -2,6 +2,7 @@
 
 use super::{SHEET_MM, sheet_of};
 use glam::DVec2;
+use rand::Rng;
 use striae::formation::{Material, Tool};
 use striae::pattern::{Key, Path, Pattern, PatternBuilder, Scratch};
 
@@ -40,6 +41,25 @@ pub(crate) fn comb(material: &Material, count: u32, pitch_mm: f64, force_kgf: f6
             None,
             shift,
             0.0,
+            force_kgf,
+        );
+    }
+    builder.build()
+}
+
+/// Two dozen wide strokes that cross near the middle, each way.
+pub(crate) fn tangle(material: &Material, random: &mut impl Rng) -> Pattern {
+    let mut builder = sheet_of(material);
+    for _ in 0..24 {
+        let shift_mm = random.random_range(-0.5..0.5);
+        let turn_deg = random.random_range(0.0..360.0);
+        let force_kgf = random.random_range(1.0..3.0);
+        add(
+            &mut builder,
+            &Tool::vickers(),
+            None,
+            shift_mm,
+            turn_deg,
             force_kgf,
         );
     }
