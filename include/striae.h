@@ -48,10 +48,10 @@
  * from any thread, and accept NULL. What a call makes has one reference, its caller's.
  *
  * Every call may be made from any number of threads at once, as long as no two write to the same output or file
- * or use the same builder. Shading (striae_frame() and what follows it below) never allocates, locks or blocks, and
- * gives the same with denormals flushed to zero. Calls before it allocate and take time; building and generating
- * work on all cores (RAYON_NUM_THREADS in the environment says how many). Where memory runs out the process ends,
- * as in any Rust library.
+ * or use the same builder. Shading (from striae_frame() to striae_set_simd() below, and striae_baseline_shade()) never
+ * allocates, locks or blocks, and gives the same with denormals flushed to zero. Other calls may allocate and take
+ * time; building and generating work on all cores (RAYON_NUM_THREADS in the environment says how many). Where memory
+ * runs out the process ends, as in any Rust library.
  */
 
 #ifndef STRIAE_H
