@@ -6,6 +6,7 @@ mod merge;
 mod steps;
 
 pub(super) use merge::Surplus;
+pub(super) use steps::Steps;
 
 use crate::lanes::Number;
 

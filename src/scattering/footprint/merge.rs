@@ -2,7 +2,6 @@
 
 use super::steps::Steps;
 use super::{Densities, MOST_DENSITIES, Piece, Weight};
-use crate::pattern::{CenterLine, Left, Region};
 use crate::scattering::relief::{MOST_RELIEFS, Relief};
 use crate::single;
 use arrayvec::ArrayVec;
@@ -60,22 +59,6 @@ impl<const MOST: usize> Densities<MOST> {
         Steps::of_pieces(self.pieces(weight), seen_mm)
     }
 
-    /// The density of what is left of these regions, in steps; forgets all others.
-    pub(crate) fn steps_of(
-        &mut self,
-        regions: &[Region],
-        left: Option<&Left>,
-        line: &CenterLine,
-        pixel_area: f64,
-        seen_mm: [f32; 2],
-    ) -> Steps {
-        self.clear();
-        match self.add_left(regions, left, line, pixel_area) {
-            Some(weight) => self.steps(&weight, seen_mm),
-            None => Steps::of_many(regions, left, line, pixel_area, seen_mm),
-        }
-    }
-
     /// Adds a density for which there is room.
     pub(crate) fn put(&mut self, steps: &Steps) -> Weight {
         let first = self.used;
@@ -96,6 +79,7 @@ impl<const MOST: usize> Densities<MOST> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pattern::{CenterLine, Region};
     use crate::scattering::footprint::steps::{MOST_OF_RUN, MOST_STEPS};
     use glam::DVec2;
 

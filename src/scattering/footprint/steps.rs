@@ -37,10 +37,9 @@ pub(super) struct Step {
 }
 
 impl Steps {
-    /// Of these regions together, less what is not left of them, across a run that is seen between two places, if they have
-    /// more pieces than a shading point has room for.
+    /// Of these regions together, less what is not left of them, across a run that is seen between two places.
     #[inline(never)]
-    pub(super) fn of_many(
+    pub(crate) fn of(
         regions: &[Region],
         left: Option<&Left>,
         line: &CenterLine,

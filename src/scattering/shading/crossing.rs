@@ -5,7 +5,7 @@ use super::fill::Share;
 use crate::pattern::{
     Covers, Cutting, Hit, Left, NearCrowd, Parts, Pattern, Reach, Region, cut_away,
 };
-use crate::scattering::footprint::{MOST_PARTS, Surplus};
+use crate::scattering::footprint::{MOST_PARTS, Steps, Surplus};
 use crate::scattering::relief::{MOST_RELIEFS, MOST_SLOTS};
 use crate::single;
 use arrayvec::ArrayVec;
@@ -113,11 +113,9 @@ impl Shading {
             }
         }
         let ends_mm = share.hit.ends_mm.map(single);
-        let densities = &mut self.zones.densities;
-        let (parts, line) = (share.parts, &share.hit.line);
-        let steps = densities.steps_of(parts, share.left, line, area_mm2, ends_mm);
-        densities.clear();
-        let weight = densities.put(&steps);
+        let steps = Steps::of(share.parts, share.left, &share.hit.line, area_mm2, ends_mm);
+        self.zones.densities.clear();
+        let weight = self.zones.densities.put(&steps);
         if self.hold(pattern, share, weight)
             && let Some(relief) = self.reliefs().last()
         {
