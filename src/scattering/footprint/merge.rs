@@ -158,6 +158,7 @@ mod tests {
         let (mut merged, mut kept) = (0, 0);
         for (raw, weight) in all_pieces() {
             let mut steps = raw.steps(&weight, weight.window);
+            steps.look_through(weight.window);
             let [from, to] = weight.window.map(f64::from);
             let all = moments(&steps)[0];
             while let Some((place, change)) = steps.cheapest() {

@@ -20,8 +20,7 @@ const BESIDE: f64 = 1.0 / 16.0;
 #[derive(Clone, Debug)]
 pub(crate) struct Steps {
     all: ArrayVec<Step, MOST_STEPS>,
-    /// Between which places across the run is seen, mm.
-    seen_mm: [f32; 2],
+    seen: Seen,
 }
 
 /// Like a piece, but that no other lies over it.
@@ -32,7 +31,7 @@ pub(super) struct Step {
     pub weight: f64,
     /// Its skew times its weight.
     pub lean: f64,
-    /// What changes if it becomes one with the next.
+    /// What changes if it becomes one with the next; NaN before it is looked at.
     change: f32,
 }
 
@@ -59,7 +58,7 @@ impl Steps {
         ends.sort_unstable_by(f32::total_cmp);
         let mut steps = Self {
             all: ArrayVec::new(),
-            seen_mm,
+            seen: Seen::between(seen_mm),
         };
         let any_thin = pieces.iter().any(|piece| piece.from == piece.to);
         let mut last = f32::NAN;
@@ -77,7 +76,11 @@ impl Steps {
 
     /// The run is seen between these places.
     pub(super) fn look_through(&mut self, seen_mm: [f32; 2]) {
-        self.seen_mm = seen_mm;
+        self.seen = Seen::between(seen_mm);
+        self.look_at_all();
+    }
+
+    fn look_at_all(&mut self) {
         for place in 0..self.count() {
             self.look_at(place);
         }
@@ -124,7 +127,7 @@ impl Steps {
     /// Makes one of those two that it changes least.
     #[inline(never)]
     fn make_room(&mut self) {
-        self.look_through(self.seen_mm);
+        self.look_at_all();
         if let Some((place, _)) = self.cheapest() {
             self.merge_at(place);
         }
@@ -134,7 +137,7 @@ impl Steps {
     fn look_at(&mut self, place: usize) {
         let pair = self.all.get_mut(place..);
         if let Some([step, next]) = pair.and_then(<[Step]>::first_chunk_mut) {
-            step.change = step.change_with(next, self.seen_mm);
+            step.change = step.change_with(next, &self.seen);
         }
     }
 }
@@ -156,7 +159,7 @@ impl Step {
             to,
             weight,
             lean,
-            change: 0.0,
+            change: f32::NAN,
         }
     }
 
@@ -170,7 +173,7 @@ impl Step {
             to: place,
             weight: there.map(|piece| f64::from(piece.weight)).sum(),
             lean: 0.0,
-            change: 0.0,
+            change: f32::NAN,
         }
     }
 
@@ -190,10 +193,10 @@ impl Step {
 
     /// By how much what lies left of any place changes, in the mean over the places between which the run is seen, if this and
     /// the next become one. There facets begin and end; up to the other steps as much lies as before.
-    fn change_with(&self, next: &Self, seen_mm: [f32; 2]) -> f32 {
+    fn change_with(&self, next: &Self, seen: &Seen) -> f32 {
         let merged = self.with(next);
         let far = self.distance_to(next.to);
-        let (per_half, seen) = (2.0 / far, Seen::between(seen_mm));
+        let per_half = 2.0 / far;
         let square = |off: f64, wanted: f64| {
             let now = merged.weight_up_to(off * per_half - 1.0);
             let change = (now - wanted) * seen.relevance(f64::from(self.from) + off);
@@ -238,6 +241,7 @@ impl Piece {
 }
 
 /// That part of a run which is seen, mm across.
+#[derive(Clone, Copy, Debug)]
 struct Seen {
     from: f64,
     to: f64,
@@ -255,9 +259,6 @@ impl Seen {
     /// How much a place counts.
     fn relevance(&self, place: f64) -> f64 {
         let beside = (self.from - place).max(place - self.to).max(0.0);
-        match beside > 0.0 {
-            true => 1.0 / (1.0 + beside * self.per_mm / BESIDE),
-            false => 1.0,
-        }
+        1.0 / (1.0 + beside * self.per_mm / BESIDE)
     }
 }
