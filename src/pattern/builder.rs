@@ -220,8 +220,7 @@ impl Plate {
         let Batch { chains, knots, .. } = batch;
         let curves = scratch.path.curves(self.units_per_uv)?;
         check_keys(scratch.keys)?;
-        let material = scratch.material.unwrap_or(&self.material);
-        material.check()?;
+        scratch.material.map(Material::check).transpose()?;
         let length = curves.iter().map(|curve| curve.length).sum();
         let points = chains.points.len();
         let pieces = chains.push_path(&curves, self.units_per_uv, own);

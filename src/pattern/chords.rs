@@ -20,9 +20,6 @@ const CHORD_RAD: f64 = 0.1;
 /// A piece counts as a chain of at most this many chords.
 const MOST_CHORDS: f64 = 512.0;
 
-/// Steps of a scratch's way from one turn of its course to the next.
-pub(super) const STEPS: usize = 3;
-
 /// Corners turn by less than three times this if their legs' cross product is this share of the dot product: the angle
 /// is about that share.
 const NEARLY_STRAIGHT: f64 = 0.3;
@@ -42,22 +39,23 @@ pub(super) struct Chord<'s> {
 /// What a chord holds.
 enum Held<'s> {
     /// A way of so many mm from one parameter of the piece to another, which later scratches leave so much of.
-    Way(f64, [f64; 2], &'s Span, Visible),
+    Way(f64, [f64; 2], &'s Span<'s>, Visible),
     /// A cap's sector, all at one place.
     Sector(ClassAreas),
 }
 
 /// A piece from one turn of its scratch's course to the next: areas by class of a mm of scratch.
-enum Span {
+enum Span<'s> {
     /// One cross-section all along.
     Even(ClassAreas),
     Changing {
+        track: &'s TrackRef<'s>,
         /// How arc length runs along the piece.
         lengths: LengthShares,
         /// Shares of the piece's arc length at the turns.
         at: [f64; 2],
-        /// The mean of each of so many equal steps from turn to turn.
-        steps: [ClassAreas; STEPS],
+        /// Places on the track at the turns.
+        places: [f64; 2],
     },
 }
 
@@ -90,8 +88,7 @@ impl Reader<'_> {
         self.turn_to(number);
         let Self {
             strand,
-            per_mm: known_areas,
-            steps: known_steps,
+            per_mm: known,
             ..
         } = self;
         let Some((track, course)) = strand else {
@@ -106,7 +103,7 @@ impl Reader<'_> {
         for [[before, first], [after, last]] in course.turns(from, to) {
             let at = [before, after].map(|at| (at - from) / (to - from));
             let (span, last_t) = match first == last && after == to {
-                true => (Span::even(track, first, known_areas), 1.0),
+                true => (Span::even(track, first, known), 1.0),
                 false => {
                     let lengths = LengthShares::of(&scaled);
                     let last_t = if after < to {
@@ -114,8 +111,13 @@ impl Reader<'_> {
                     } else {
                         1.0
                     };
-                    let values = [first, last];
-                    let span = Span::of(track, lengths, at, values, known_areas, known_steps);
+                    let places = [first, last];
+                    let span = Span::Changing {
+                        track,
+                        lengths,
+                        at,
+                        places,
+                    };
                     (span, last_t)
                 }
             };
@@ -244,64 +246,27 @@ impl Chord<'_> {
     }
 }
 
-impl Span {
+impl Span<'_> {
     fn even(track: &TrackRef<'_>, value: f64, known: &mut Recent<ClassAreas>) -> Self {
-        Self::Even(known.get(track, [value; 2], || per_mm(track, value)))
-    }
-
-    fn of(
-        track: &TrackRef<'_>,
-        lengths: LengthShares,
-        at: [f64; 2],
-        [first, last]: [f64; 2],
-        known_areas: &mut Recent<ClassAreas>,
-        known_steps: &mut Recent<[ClassAreas; STEPS]>,
-    ) -> Self {
-        let way = [first.min(last), first.max(last)];
-        if way[1] - way[0] <= STEPS as f64 * track.least_step() {
-            return Self::even(track, 0.5 * (first + last), known_areas);
-        }
-        let mut steps = known_steps.get(track, way, || steps(track, way));
-        if first > last {
-            steps.reverse();
-        }
-        Self::Changing { lengths, at, steps }
+        Self::Even(known.get(track, [value; 2], || track.areas_at(value)))
     }
 
     /// The mean between two parameters.
     fn per_mm(&self, t: [f64; 2]) -> ClassAreas {
-        let (lengths, at, steps) = match self {
+        let (track, lengths, at, places) = match self {
             Self::Even(areas) => return *areas,
-            Self::Changing { lengths, at, steps } => (lengths, at, steps),
+            Self::Changing {
+                track,
+                lengths,
+                at,
+                places,
+            } => (track, lengths, at, places),
         };
-        let stretch = t.map(|t| {
+        let [from, to] = t.map(|t| {
             let share = (lengths.at(t) - at[0]) / (at[1] - at[0]);
-            share.clamp(0.0, 1.0)
+            places[0] + (places[1] - places[0]) * share.clamp(0.0, 1.0)
         });
-        let mut mean = ClassAreas::default();
-        for (step, share) in steps.iter().zip(shares_of::<STEPS>(stretch)) {
-            add(&mut mean, step, single(share));
-        }
-        mean
-    }
-}
-
-/// The mean areas by class of a mm in each of so many equal steps from one place on a track to another.
-fn steps(track: &TrackRef<'_>, [low, high]: [f64; 2]) -> [ClassAreas; STEPS] {
-    let step = (high - low) / STEPS as f64;
-    let mut before = track.areas_to(low);
-    core::array::from_fn(|i| {
-        let upto = track.areas_to(low + step * (i + 1) as f64);
-        let before = core::mem::replace(&mut before, upto);
-        let mean = |class: usize| single(((upto[class] - before[class]) / step).max(0.0));
-        core::array::from_fn(mean)
-    })
-}
-
-/// Adds areas so many times.
-fn add(sum: &mut ClassAreas, areas: &ClassAreas, times: f32) {
-    for (sum, area) in sum.iter_mut().zip(areas) {
-        *sum += times * area;
+        track.mean_areas(from, to)
     }
 }
 
@@ -321,14 +286,6 @@ fn shares_of<const PARTS: usize>(stretch: [f64; 2]) -> [f64; PARTS] {
             ))
         }
     })
-}
-
-/// Scratched area by class of a mm of a cross-section.
-fn per_mm(track: &TrackRef<'_>, value: f64) -> ClassAreas {
-    let ([left, right], classes) = track.ends_and_classes(value);
-    let mut areas = ClassAreas::default();
-    add_shares(&mut areas, &classes, right - left);
-    areas
 }
 
 impl Visible {

@@ -1,7 +1,7 @@
 //! Scratches read piece by piece: what neighbours have in common is looked up once.
 
 use super::Pattern;
-use super::chords::{ClassAreas, STEPS};
+use super::chords::ClassAreas;
 use super::course::Course;
 use super::tracks::TrackRef;
 
@@ -12,8 +12,6 @@ pub(super) struct Reader<'p> {
     pub strand: Option<(TrackRef<'p>, Course<'p>)>,
     /// Of places on tracks: areas by class of a mm.
     pub per_mm: Recent<ClassAreas>,
-    /// Of ways along tracks: the same as the mean of each of so many equal steps.
-    pub steps: Recent<[ClassAreas; STEPS]>,
     /// Of ways along tracks: the mean width, mm.
     pub widths: Recent<f64>,
     /// Of places on tracks: the station before, how far it is to the next, and the width, mm.
@@ -35,7 +33,6 @@ impl<'p> Reader<'p> {
             scratch: None,
             strand: None,
             per_mm: Recent::new(),
-            steps: Recent::new(),
             widths: Recent::new(),
             places: Recent::new(),
         }

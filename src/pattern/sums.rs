@@ -1,9 +1,10 @@
 //! How much of each class a track holds on the way to a place, so that the mean of any stretch takes two look-ups.
 
-use super::chords::ClassAreas;
+use super::chords::{ClassAreas, add_shares};
 use super::palette::MOST_CLASSES;
 use super::tracks::{TrackRef, Tracks};
 use crate::single;
+use core::array::from_fn;
 
 impl Tracks {
     /// For each station of all tracks, what [`TrackRef::areas_to`] says there.
@@ -21,6 +22,24 @@ impl Tracks {
 }
 
 impl TrackRef<'_> {
+    /// The width of each class at a place, mm.
+    pub(super) fn areas_at(&self, at: f64) -> ClassAreas {
+        let ([left, right], classes) = self.ends_and_classes(at);
+        let mut areas = ClassAreas::default();
+        add_shares(&mut areas, &classes, right - left);
+        areas
+    }
+
+    /// The same on average from one place to another.
+    pub(super) fn mean_areas(&self, from: f64, to: f64) -> ClassAreas {
+        let step = to - from;
+        if step.abs() <= self.least_step() {
+            return self.areas_at(0.5 * (from + to));
+        }
+        let [before, upto] = [from, to].map(|at| self.areas_to(at));
+        from_fn(|class| single(((upto[class] - before[class]) / step).max(0.0)))
+    }
+
     /// The width of each class, added up from the first station to a place: mm times what places are measured in.
     pub(super) fn areas_to(&self, at: f64) -> [f64; MOST_CLASSES] {
         let (last, mix) = self.locate(at);
