@@ -114,13 +114,16 @@ static void add_lamps(const Scene *scene, const Camera *camera, Lights *lights) 
     }
 }
 
-static View view(const char *name, double heading_deg, double elevation_deg, double roll_deg, double width_deg) {
+/* Aimed so far beside the plate's middle, in mm along its sides, that it stands in the picture's. */
+static View view(const char *name, double heading_deg, double elevation_deg, double roll_deg, double width_deg,
+                 double x_mm, double y_mm) {
     return (View){.name = name,
                   .heading_deg = heading_deg,
                   .elevation_deg = elevation_deg,
                   .roll_deg = roll_deg,
                   .distance = 14.0,
-                  .width_deg = width_deg};
+                  .width_deg = width_deg,
+                  .aside = {x_mm / MM_PER_UNIT, y_mm / MM_PER_UNIT, 0.0}};
 }
 
 bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
@@ -131,9 +134,9 @@ bool scene_plate(Scene *scene, char error[SCENE_ERROR_SIZE]) {
     /* Camera and flash go round the plate together. First they look along the scratches, which throw the flash
        aside; then across them and from high up, so that even the weakest is steep enough to throw it back; then
        from the other side and lower, where the weakest is not. */
-    scene->views[0] = view("plate-1", -20.0, 66.0, 60.0, 36.0);
-    scene->views[1] = view("plate-2", 84.0, 71.0, -12.0, 34.0);
-    scene->views[2] = view("plate-3", -89.0, 65.0, -8.0, 34.5);
+    scene->views[0] = view("plate-1", -20.0, 66.0, 60.0, 37.0, 2.8, -2.1);
+    scene->views[1] = view("plate-2", 84.0, 71.0, -12.0, 35.0, 1.6, 1.4);
+    scene->views[2] = view("plate-3", -89.0, 65.0, -8.0, 35.0, -1.6, -2.3);
     scene->view_count = 3;
     scene->sheet = "contact-sheet";
     scene->add_lamps = add_lamps;
