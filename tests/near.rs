@@ -5,12 +5,12 @@ mod support;
 use glam::{DMat3, DQuat, DVec3, Vec3};
 use rand::Rng;
 use rand::rngs::StdRng;
-use striae::formation::Tool;
+use striae::formation::{CrossSection, Process, Tool};
 use striae::pattern::{
     Footprint, Frame, Key, Path, Pattern, PatternBuilder, Scratch, SurfacePoint,
 };
 use striae::scattering::{Output, Shading};
-use support::{any_direction, dark_sheet, random, single};
+use support::{SHEET_MM, any_direction, dark_sheet, random, sheet_of, single};
 
 /// Curves and lines here and there on 100 by 80 mm, some of which taper.
 fn strewn(random: &mut StdRng) -> Pattern {
@@ -130,5 +130,61 @@ fn odd_views_are_near_what_any_is() {
             ..point
         };
         assert!(pattern.is_near(&bent, None), "a point that is none");
+    }
+}
+
+/// A crest's shadow reaches as far as it is high and the light is low, and so does what a grazing view sees of it: up to there
+/// the sheet beside a scratch is dark, or the bright scratch stands before it, and behind it is as if there were none. What
+/// looks for scratches near a pixel must not end sooner.
+#[test]
+fn shadows_and_grazing_views_reach_as_far_as_crests_are_high() {
+    let (tool, sheet) = (Tool::rockwell_c(), dark_sheet());
+    let process = Process {
+        force_kgf: 2.0,
+        ..Process::default()
+    };
+    let profile = CrossSection::form(&tool, &process, &sheet).unwrap();
+    let mut builder = sheet_of(&sheet);
+    builder
+        .add(&Scratch {
+            path: Path::Polyline(&[[0.2, 0.5], [0.8, 0.5]]),
+            keys: &[Key::force(0.0, process.force_kgf)],
+            ..Scratch::new(&tool)
+        })
+        .unwrap();
+    let (pattern, bare) = (builder.build(), sheet_of(&sheet).build());
+    let vertices = profile.vertices();
+    let highest = vertices.iter().map(|vertex| vertex.y).fold(0.0, f64::max);
+    let widest = vertices.iter().map(|vertex| vertex.x).fold(0.0, f64::max);
+    let above = [0.0, 0.0, 1.0];
+    let mut shading = Shading::default();
+    for slope in [9.0, 14.0, 19.5] {
+        let grazing = [0.0, -slope, 1.0].map(|x| single(x / f64::hypot(slope, 1.0)));
+        let reaches = vertices.iter().map(|vertex| vertex.x + slope * vertex.y);
+        let reach = reaches.fold(0.0, f64::max);
+        for share in [0.4, 0.7, 0.9, 0.98, 1.02, 1.1, 1.5] {
+            let across_mm = widest + share * (reach - widest);
+            let point = SurfacePoint {
+                uv: [0.5, 0.5 + across_mm / SHEET_MM],
+                dp_du: [single(SHEET_MM), 0.0, 0.0],
+                dp_dv: [0.0, single(SHEET_MM), 0.0],
+                normal: [0.0, 0.0, 1.0],
+                footprint: Footprint::Radius(single(1e-3 * highest)),
+            };
+            let mut seen = |pattern: &Pattern, view, light| {
+                shading.shade(pattern, &point, view).unwrap();
+                shading.eval(light, Output::BrdfCos)[0]
+            };
+            let lit = seen(&pattern, above, grazing) / seen(&bare, above, grazing);
+            let shown = seen(&pattern, grazing, above) / seen(&bare, grazing, above);
+            let at = format!("at {share} of the reach of slope {slope}");
+            if share < 1.0 {
+                assert!(lit < 0.01, "{lit} of the light {at}");
+                assert!(shown > 50.0, "{shown} times as bright {at}");
+                assert!(pattern.is_near(&point, Some(grazing)), "not near {at}");
+            } else {
+                assert_eq!((lit, shown), (1.0, 1.0), "{at}");
+            }
+        }
     }
 }
