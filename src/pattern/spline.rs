@@ -77,9 +77,9 @@ impl<'a, const D: usize> Spline<'a, D> {
         Ok(match self.kind {
             SplineKind::Polyline => (0..sides).map(|i| line(points[i], next(i))).collect(),
             SplineKind::CubicBezier => {
-                let end = |i: usize| points.get(i).unwrap_or(&points[0]);
-                let curve = |i: usize| [points[i], points[i + 1], points[i + 2], *end(i + 3)];
-                (0..points.len() / 3).map(|i| curve(3 * i)).collect()
+                let corner = |i: usize| points[i % points.len()];
+                let curve = |i: usize| from_fn(|k| corner(3 * i + k));
+                (0..points.len() / 3).map(curve).collect()
             }
             SplineKind::CatmullRom => catmull_rom(points, self.closed, scale),
             SplineKind::BSpline => self.b_spline(|i| i as f64),
