@@ -102,23 +102,20 @@ impl Reader<'_> {
         // Between two turns of its course the cross-section changes one way.
         for [[before, first], [after, last]] in course.turns(from, to) {
             let at = [before, after].map(|at| (at - from) / (to - from));
-            let (span, last_t) = match first == last && after == to {
-                true => (Span::even(track, first, known), 1.0),
-                false => {
-                    let lengths = LengthShares::of(&scaled);
-                    let last_t = if after < to {
-                        lengths.parameter(at[1])
-                    } else {
-                        1.0
-                    };
-                    let places = [first, last];
-                    let span = Span::Changing {
-                        track,
-                        lengths,
-                        at,
-                        places,
-                    };
-                    (span, last_t)
+            let lengths = LengthShares::of(&scaled);
+            let last_t = if after < to {
+                lengths.parameter(at[1])
+            } else {
+                1.0
+            };
+            let span = if first == last {
+                Span::even(track, first, known)
+            } else {
+                Span::Changing {
+                    track,
+                    lengths,
+                    at,
+                    places: [first, last],
                 }
             };
             let part = last_t - first_t;
